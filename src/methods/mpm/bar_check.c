@@ -7,23 +7,21 @@
 
 #include <math.h>
 
-static bool positive(double value, const char *key, Status *status)
+bool mpm_positive(double value, const char *key, Status *status)
 {
-    if (value > 0.0 && isfinite(value))
-        return true;
-    return status_refuse(status, "%s: %g is no positive number", key, value);
+    return (value > 0.0 && isfinite(value)) ||
+           status_refuse(status, "%s: %g is no positive number", key, value);
+}
+
+bool mpm_within(int value, int low, int high, const char *key, Status *status)
+{
+    return (value >= low && value <= high) ||
+           status_refuse(status, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
 static bool finite_number(double value, const char *key, Status *status)
 {
     return isfinite(value) || status_refuse(status, "%s: %g is no finite number", key, value);
-}
-
-static bool whole(int value, int low, int high, const char *key, Status *status)
-{
-    if (value >= low && value <= high)
-        return true;
-    return status_refuse(status, "%s: %d is out of range (%d to %d)", key, value, low, high);
 }
 
 /* The second material, if there is one. */
@@ -39,8 +37,8 @@ static bool check_joint(const BarDef *def, Status *status)
             "bar2.joint: %g is no node inside the bar (0, or a whole number of cells less than "
             "the length %g)",
             def->joint, def->length);
-    return positive(def->joint_modulus, "bar2.youngs_modulus", status) &&
-           positive(def->joint_density, "bar2.density", status);
+    return mpm_positive(def->joint_modulus, "bar2.youngs_modulus", status) &&
+           mpm_positive(def->joint_density, "bar2.density", status);
 }
 
 /* A wave of angle theta per cell: omega^2 = (c/dx)^2 K F/Mh^2 with Mh = (1 - mu) F + mu, F = 1 - A theta^2 +
@@ -98,17 +96,18 @@ enum { CELLS_MAX = 2000000, PARTICLES_MAX = 2000000, PARTICLES_PER_CELL_MAX = 8 
 bool bar_check(const BarDef *def, Status *status)
 {
     bool good =
-        positive(def->length, "bar.length", status) &&
-        positive(def->youngs_modulus, "bar.youngs_modulus", status) &&
-        positive(def->density, "bar.density", status) && positive(def->cell_size, "mesh.cell_size", status) &&
-        positive(def->courant, "time.courant", status) &&
-        whole(def->particles_per_cell, 1, PARTICLES_PER_CELL_MAX, "mesh.particles_per_cell", status) &&
-        whole(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
-        whole((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
-        whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
-        whole((int)def->shape, MPM_HAT, MPM_UNIFORM3, "mpm.shape", status) &&
-        whole((int)def->transfer, MPM_FLIP, MPM_FMPM, "mpm.transfer", status) &&
-        whole(def->fmpm_order, 1, FMPM_ORDER_MAX, "mpm.fmpm_order", status) &&
+        mpm_positive(def->length, "bar.length", status) &&
+        mpm_positive(def->youngs_modulus, "bar.youngs_modulus", status) &&
+        mpm_positive(def->density, "bar.density", status) &&
+        mpm_positive(def->cell_size, "mesh.cell_size", status) &&
+        mpm_positive(def->courant, "time.courant", status) &&
+        mpm_within(def->particles_per_cell, 1, PARTICLES_PER_CELL_MAX, "mesh.particles_per_cell", status) &&
+        mpm_within(def->padding, 0, CELLS_MAX, "mesh.padding", status) &&
+        mpm_within((int)def->supports, BAR_FIXED_FREE, BAR_FREE_FREE, "bar.supports", status) &&
+        mpm_within((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
+        mpm_within((int)def->shape, MPM_HAT, MPM_UNIFORM3, "mpm.shape", status) &&
+        mpm_within((int)def->transfer, MPM_FLIP, MPM_FMPM, "mpm.transfer", status) &&
+        mpm_within(def->fmpm_order, 1, FMPM_ORDER_MAX, "mpm.fmpm_order", status) &&
         finite_number(def->body_force, "load.body_force", status) &&
         finite_number(def->traction, "load.traction", status) &&
         finite_number(def->traction_layer, "load.traction_layer", status);

@@ -123,27 +123,11 @@ static double stress_across(const Mpm *mpm, int p)
                                          : def->poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
 }
 
-/* dt sum of N' v_i, as the stage has it: a light node moves with the particle. */
-static double strain_step(const Mpm *mpm, int field, int p)
-{
-    if (!mpm_has_done(mpm, OP_STRAIN))
-        return 0.0;
-    const MpmWeights w = mpm_weights_of(mpm, p);
-    double sum = 0.0;
-    for (int b = 0; b < mpm->support; b++)
-        for (int a = 0; a < mpm->support; a++) {
-            const int i = mpm->base[p] + b * mpm->gx + a;
-            const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
-            const double vx = bodies_velocity_for(mpm, 0, i, p), vy = bodies_velocity_for(mpm, 1, i, p);
-            sum += field == P_EXX ? bx * vx : field == P_EYY ? by * vy : by * vx + bx * vy;
-        }
-    return mpm->dt / mpm->dx * sum;
-}
-
 static double particle_field(const Mpm *mpm, int field, int p)
 {
     const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
     const double vx = mpm->v[0][p], vy = mpm->v[1][p];
+    double e[MPM_STRESSES] = {0.0};
     switch (field) {
     case P_X:
     case P_Y:
@@ -189,7 +173,9 @@ static double particle_field(const Mpm *mpm, int field, int p)
     case P_EXX:
     case P_EYY:
     case P_GXY:
-        return strain_step(mpm, field, p);
+        if (mpm_has_done(mpm, OP_STRAIN))
+            mpm_strain_step(mpm, p, e);
+        return e[field - P_EXX];
     default:
         return 0.0;
     }

@@ -74,8 +74,7 @@ Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
 /* Whether a wall of the box acts on a node. */
 bool bodies_at_wall(const Mpm *, int node);
 
-const MpmSchedule *bodies_schedule(const MpmHead *);
-void bodies_list_stages(Mpm *);
+Stage bodies_stage(const Mpm *, MpmOp);
 void bodies_set_fields(Mpm *);
 void bodies_field(const Simulation *, int field, size_t first, size_t count, double *out);
 void bodies_set_series(Mpm *);

@@ -91,20 +91,6 @@ static const Stage affine_map = {
     "x y mass vx vy",
     "mass px py nx ny"};
 
-static const MpmSchedule schedules[] = {
-    [MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE}, 7, 4},
-    [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_STRAIN}, 7, 3},
-    [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_MAP_AGAIN,
-                   OP_FIX_AGAIN, OP_STRAIN},
-                  9,
-                  3},
-};
-
-const MpmSchedule *bodies_schedule(const MpmHead *head)
-{
-    return &schedules[head->algorithm];
-}
-
 static const Stage *stage_of(const Mpm *mpm, MpmOp op)
 {
     const bool affine = mpm->head->transfer == MPM_APIC;
@@ -119,18 +105,10 @@ static const Stage *stage_of(const Mpm *mpm, MpmOp op)
     return op == OP_UPDATE && mpm->head->flip_fraction != 1 ? &blended_update : &rows[op];
 }
 
-void bodies_list_stages(Mpm *mpm)
+Stage bodies_stage(const Mpm *mpm, MpmOp op)
 {
-    const MpmSchedule *schedule = bodies_schedule(mpm->head);
-    for (int i = 0; i < schedule->count; i++) {
-        mpm->stages[i] = *stage_of(mpm, schedule->ops[i]);
-        if (mpm->bodies->n_fields == 1 && strcmp(mpm->stages[i].equation, FIX_EQUATION) == 0)
-            mpm->stages[i].equation = WALL_EQUATION;
-        bodies_write_wrongly(mpm, schedule->ops[i], &mpm->stages[i]);
-    }
-    mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
-    mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
-    mpm->sim.stages = mpm->stages;
-    mpm->sim.n_stages = schedule->count;
-    mpm->sim.sets = mpm->sets;
+    Stage stage = *stage_of(mpm, op);
+    if (mpm->bodies->n_fields == 1 && strcmp(stage.equation, FIX_EQUATION) == 0)
+        stage.equation = WALL_EQUATION;
+    return stage;
 }

@@ -354,6 +354,9 @@ MPM_INLINE double mpm_spread(const MpmShape shape, double edge, double s, const 
 /* N and N' of a particle. */
 MpmWeights mpm_weights_of(const Mpm *, int particle);
 
+/* The strain of this step, from the velocities that make it: xx, yy and gamma xy; of a line the first. */
+void mpm_strain_step(const Mpm *, int particle, double e[MPM_STRESSES]);
+
 /* Its coordinate at rest. */
 double mpm_rest(const Mpm *, int axis, int particle);
 
@@ -405,6 +408,10 @@ MPM_INLINE void mpm_line_velocities(const MpmShape shape, const double *of, cons
     else if (shape == MPM_HAT && inverse[base + 1] == 0.0)
         v[1] = v[0];
 }
+
+/* bar_check.c: a number of a definition; else the status names its key. */
+bool mpm_positive(double value, const char *key, Status *);
+bool mpm_within(int value, int low, int high, const char *key, Status *);
 
 /* --- small.c ---------------------------------------------------------------------------------------- */
 
@@ -481,6 +488,7 @@ void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */
 void mpm_write_row(Mpm *, double *row, bool whole);
+bool mpm_has_column(const Mpm *, int entry); /* whether the series has it */
 bool mpm_row_needs_grid(const Mpm *);
 bool mpm_row_has_rates(const Mpm *); /* a column is a difference to the step before */
 void mpm_set_series(Mpm *);

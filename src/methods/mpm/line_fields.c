@@ -105,18 +105,6 @@ const Quantity mpm_line_series[] = {
     AXIAL_SERIES_MOMENTUM(" in the last step"),
 };
 
-/* Eq. 5: de = dt sum N'_i v_i / dx, N' by s. */
-static double strain_increment(const Mpm *mpm, int p)
-{
-    MpmWeights w;
-    double v[SHAPE_SUPPORT_MAX], gradient = 0.0;
-    mpm_weights(mpm, 1, mpm->shape, mpm_half(mpm, p), mpm->base[p], &mpm->s[0][p], &w);
-    mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, mpm->base[p], v);
-    for (int a = 0; a < mpm->support; a++)
-        gradient += w.dn[0][a] * v[a];
-    return mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN) * gradient;
-}
-
 /* The value of one particle's field. The place in the cell of a moved particle counts from its old cell until
  * the last stage. */
 static double particle_field(const Mpm *mpm, int field, int p)
@@ -124,6 +112,7 @@ static double particle_field(const Mpm *mpm, int field, int p)
     const int base = mpm->base[p];
     const double s = mpm->s[0][p];
     const int cell = mpm_cell(base, s, mpm->edge);
+    double e[MPM_STRESSES] = {0.0};
     switch (field) {
     case AXIAL_X0:
         return mpm_rest(mpm, 0, p);
@@ -146,7 +135,9 @@ static double particle_field(const Mpm *mpm, int field, int p)
     case P_NATURAL:
         return mpm->rest[0][p] - mpm->edge - cell + mpm->u[0][p] / mpm->dx;
     case P_STRAIN_INCREMENT:
-        return mpm_has_done(mpm, OP_STRAIN) ? strain_increment(mpm, p) : 0.0;
+        if (mpm_has_done(mpm, OP_STRAIN))
+            mpm_strain_step(mpm, p, e);
+        return e[0];
     case P_MOMENTUM:
         return mpm_mass(mpm, p) * mpm->v[0][p];
     case P_AFFINE:

@@ -220,29 +220,49 @@ static int transfer_of(const Mpm *mpm)
 
 /* A table of the nodes is written when the forces are known and the momentum is not yet integrated: then its
  * momenta are those that kinetic_grid is made of. */
-static const MpmSchedule schedules[] = {
-    [MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_FORGET}, 7, 4},
-    [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN, OP_FORGET}, 7, 3},
-    [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN, OP_STRAIN, OP_FORGET},
-                  8,
-                  3},
+/* Of a line, of beams (supports are a stage of their own on the force, for a channel does work there), and of
+ * bodies. A table of the nodes is written when the forces are known and the momentum is not yet integrated.
+ */
+static const MpmSchedule schedules[][3] = {
+    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_FORGET}, 7, 4},
+     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN, OP_FORGET}, 7, 3},
+     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN, OP_STRAIN, OP_FORGET},
+                   8,
+                   3}},
+    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE}, 7, 5},
+     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN}, 7, 4},
+     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN,
+                    OP_FIX_AGAIN, OP_STRAIN},
+                   9,
+                   4}},
+    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE}, 7, 4},
+     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_STRAIN}, 7, 3},
+     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_MAP_AGAIN,
+                    OP_FIX_AGAIN, OP_STRAIN},
+                   9,
+                   3}},
 };
 
 const MpmSchedule *mpm_schedule(const Mpm *mpm)
 {
-    return mpm->bodies     ? bodies_schedule(mpm->head)
-           : mpm->dim == 2 ? plane_schedule(mpm->head)
-                           : &schedules[mpm->head->algorithm];
+    return &schedules[mpm->bodies ? 2 : mpm->dim == 2][mpm->head->algorithm];
 }
 
 void mpm_list_stages(Mpm *mpm)
 {
     const MpmSchedule *schedule = mpm_schedule(mpm);
     for (int i = 0; i < schedule->count; i++) {
-        mpm->stages[i] = stage_of(transfer_of(mpm), schedule->ops[i]);
-        if (schedule->ops[i] == OP_FORCE)
-            mpm_word_forces(mpm, &mpm->stages[i]);
-        mpm_write_wrongly(mpm, &mpm->stages[i], schedule->ops[i]);
+        const MpmOp op = schedule->ops[i];
+        Stage *stage = &mpm->stages[i];
+        *stage = mpm->bodies     ? bodies_stage(mpm, op)
+                 : mpm->dim == 2 ? plane_stage(mpm, op)
+                                 : stage_of(transfer_of(mpm), op);
+        if (op == OP_FORCE && mpm->dim == 1)
+            mpm_word_forces(mpm, stage);
+        if (mpm->bodies)
+            bodies_write_wrongly(mpm, op, stage);
+        else
+            mpm_write_wrongly(mpm, stage, op);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
     mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};

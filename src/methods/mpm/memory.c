@@ -123,14 +123,9 @@ void mpm_destroy(Simulation *sim)
 
 void mpm_take_schedule(Mpm *mpm)
 {
-    if (mpm->bodies)
-        bodies_list_stages(mpm);
-    else if (mpm->dim == 2)
-        plane_list_stages(mpm);
-    else {
-        mpm_list_stages(mpm);
+    mpm_list_stages(mpm);
+    if (mpm->dim == 1)
         mpm_list_fields(mpm);
-    }
     mpm_list_exchanges(mpm);
 }
 

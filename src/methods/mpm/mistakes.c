@@ -266,25 +266,12 @@ void mpm_force_stress(const Mpm *mpm, int particle, double stress[MPM_STRESSES])
         stress[k] = mpm->stress[k][particle];
     if (!mpm_does(mpm, WRONG_STRESS_BEFORE))
         return;
-    const MpmWeights w = mpm_weights_of(mpm, particle);
-    const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN);
-    const int base = mpm->base[particle];
-    double v[SHAPE_SUPPORT_MAX], slope = 0.0, e[MPM_STRESSES] = {0};
+    double e[MPM_STRESSES];
+    mpm_strain_step(mpm, particle, e);
     if (mpm->dim == 1) {
-        mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, base, v);
-        for (int a = 0; a < mpm->support; a++)
-            slope += w.dn[0][a] * v[a];
-        stress[0] -= mpm_modulus(mpm, particle) * (rate * slope);
+        stress[0] -= mpm_modulus(mpm, particle) * e[0];
         return;
     }
-    for (int b = 0; b < mpm->support; b++)
-        for (int a = 0; a < mpm->support; a++) {
-            const int i = base + b * mpm->gx + a;
-            const double bx = rate * w.dn[0][a] * w.n[1][b], by = rate * w.n[0][a] * w.dn[1][b];
-            e[0] += mpm->velocity[0][i] * bx;
-            e[1] += mpm->velocity[1][i] * by;
-            e[2] += mpm->velocity[0][i] * by + mpm->velocity[1][i] * bx;
-        }
     stress[0] -= mpm->D11 * e[0] + mpm->D12 * e[1];
     stress[1] -= mpm->D12 * e[0] + mpm->D11 * e[1];
     stress[2] -= mpm->slide * e[2];

@@ -6,18 +6,6 @@
 
 #include <math.h>
 
-static bool positive(double value, const char *key, Status *status)
-{
-    return (value > 0 && isfinite(value)) ||
-           status_refuse(status, "%s: %g is no positive number", key, value);
-}
-
-static bool whole(int value, int low, int high, const char *key, Status *status)
-{
-    return (value >= low && value <= high) ||
-           status_refuse(status, "%s: %d is out of range (%d to %d)", key, value, low, high);
-}
-
 /* A particle takes some 200 bytes; a step of so many a tenth of a second. */
 enum { PARTICLES_MAX = 2000000, NODES_MAX = 4000000, ROWS_MAX = 10000 };
 
@@ -46,21 +34,22 @@ double plane_step(const PlaneDef *def)
 
 static bool check_numbers(const PlaneDef *def, Status *status)
 {
-    return positive(def->length, "beam.length", status) && positive(def->height, "beam.height", status) &&
-           positive(def->thickness, "beam.thickness", status) &&
-           positive(def->youngs_modulus, "beam.youngs_modulus", status) &&
-           positive(def->density, "beam.density", status) &&
+    return mpm_positive(def->length, "beam.length", status) &&
+           mpm_positive(def->height, "beam.height", status) &&
+           mpm_positive(def->thickness, "beam.thickness", status) &&
+           mpm_positive(def->youngs_modulus, "beam.youngs_modulus", status) &&
+           mpm_positive(def->density, "beam.density", status) &&
            ((def->poisson >= 0 && def->poisson <= 0.499) ||
             status_refuse(status, "beam.poisson: %g is out of range (0 to 0.499)", def->poisson)) &&
-           positive(def->cell_size, "mesh.cell_size", status) &&
-           whole(def->particles_per_cell, 1, 8, "mesh.particles_per_cell", status) &&
-           whole(def->padding, 1, 1000, "mesh.padding", status) &&
-           whole((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
+           mpm_positive(def->cell_size, "mesh.cell_size", status) &&
+           mpm_within(def->particles_per_cell, 1, 8, "mesh.particles_per_cell", status) &&
+           mpm_within(def->padding, 1, 1000, "mesh.padding", status) &&
+           mpm_within((int)def->algorithm, MPM_USF, MPM_MUSL, "mpm.algorithm", status) &&
            ((def->flip_fraction >= 0 && def->flip_fraction <= 1) ||
             status_refuse(status, "mpm.flip_fraction: %g is out of range (0 to 1)", def->flip_fraction)) &&
            (isfinite(def->amplitude) ||
             status_refuse(status, "initial.amplitude: %g is no finite number", def->amplitude)) &&
-           positive(def->courant, "time.courant", status) && positive(def->end, "time.end", status);
+           mpm_positive(def->courant, "time.courant", status) && mpm_positive(def->end, "time.end", status);
 }
 
 static bool check_shape(const PlaneDef *def, Status *status)

@@ -111,33 +111,12 @@ void plane_set_fields(Mpm *mpm)
                    (MotionFields[]){{P_X0, P_UX, P_VX}, {P_Y0, P_UY, P_VY}});
 }
 
-/* dt sum of N' v_i: the strain of this step, from the velocities that made it. */
-static double strain_step(const Mpm *mpm, int field, int p)
-{
-    if (!mpm_has_done(mpm, OP_STRAIN))
-        return 0;
-    const MpmWeights w = mpm_weights_of(mpm, p);
-    double xx = 0, yy = 0, xy = 0;
-    for (int b = 0; b < mpm->support; b++)
-        for (int a = 0; a < mpm->support; a++) {
-            const int node = mpm->base[p] + b * mpm->gx + a;
-            const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
-            const double v[2] = {mpm->velocity[0][node], mpm->velocity[1][node]};
-            xx += bx * v[0];
-            yy += by * v[1];
-            xy += by * v[0] + bx * v[1];
-        }
-    return mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN) *
-           (field == P_EXX   ? xx
-            : field == P_EYY ? yy
-                             : xy);
-}
-
 /* The value of one particle's field; m, m/s, Pa, J. */
 static double particle_field(const Mpm *mpm, int field, int p)
 {
     const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
     const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
+    double e[MPM_STRESSES] = {0.0};
     switch (field) {
     case P_X0:
         return mpm_rest(mpm, 0, p);
@@ -176,7 +155,9 @@ static double particle_field(const Mpm *mpm, int field, int p)
     case P_EXX:
     case P_EYY:
     case P_GXY:
-        return strain_step(mpm, field, p);
+        if (mpm_has_done(mpm, OP_STRAIN))
+            mpm_strain_step(mpm, p, e);
+        return e[field - P_EXX];
     case P_PROBE:
         return p == mpm->probe[0] || p == mpm->probe[1] || p == mpm->probe[2] || p == mpm->probe[3];
     default:

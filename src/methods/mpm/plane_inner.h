@@ -16,8 +16,7 @@ static inline int plane_chunk_cells(int columns)
 void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
 unsigned plane_held(const Mpm *, long step, int column, int row);
 
-const MpmSchedule *plane_schedule(const MpmHead *);
-void plane_list_stages(Mpm *);
+Stage plane_stage(const Mpm *, MpmOp);
 void plane_set_fields(Mpm *);
 void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
 

@@ -123,17 +123,9 @@ void plane_set_series(Mpm *mpm)
     sim->series_entry = mpm->series_entry;
 }
 
-static bool has(const Mpm *mpm, enum Entry entry)
-{
-    for (int k = 0; k < mpm->sim.n_series; k++)
-        if (mpm->series_entry[k] == (int)entry)
-            return true;
-    return false;
-}
-
 bool plane_row_needs_grid(const Mpm *mpm)
 {
-    return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL);
+    return mpm_has_column(mpm, KINETIC_GRID) || mpm_has_column(mpm, KINETIC_NULL);
 }
 
 void plane_write_row(Mpm *mpm, double *row, bool whole)

@@ -67,36 +67,12 @@ static const Stage blended_update = {
     "ax ay vx vy",
     "vx vy x y ux uy"};
 
-/* A table of the nodes is written when the forces are known and the momentum is not yet integrated. */
-static const MpmSchedule schedules[] = {
-    [MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE}, 7, 5},
-    [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN}, 7, 4},
-    [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN,
-                   OP_FIX_AGAIN, OP_STRAIN},
-                  9,
-                  4},
-};
-
-const MpmSchedule *plane_schedule(const MpmHead *head)
+Stage plane_stage(const Mpm *mpm, MpmOp op)
 {
-    return &schedules[head->algorithm];
-}
-
-void plane_list_stages(Mpm *mpm)
-{
-    const MpmSchedule *schedule = plane_schedule(mpm->head);
-    for (int i = 0; i < schedule->count; i++) {
-        const bool blended = schedule->ops[i] == OP_UPDATE && mpm->head->flip_fraction != 1;
-        mpm->stages[i] = blended ? blended_update : flip[schedule->ops[i]];
-        if (schedule->ops[i] == OP_STRAIN && mpm->turn != 0) {
-            mpm->stages[i].equation = TURNED;
-            mpm->stages[i].source = "paper M, eqs. 4 to 9; Hughes, Winget 1980";
-        }
-        mpm_write_wrongly(mpm, &mpm->stages[i], schedule->ops[i]);
+    Stage stage = op == OP_UPDATE && mpm->head->flip_fraction != 1 ? blended_update : flip[op];
+    if (op == OP_STRAIN && mpm->turn != 0) {
+        stage.equation = TURNED;
+        stage.source = "paper M, eqs. 4 to 9; Hughes, Winget 1980";
     }
-    mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
-    mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
-    mpm->sim.stages = mpm->stages;
-    mpm->sim.n_stages = schedule->count;
-    mpm->sim.sets = mpm->sets;
+    return stage;
 }

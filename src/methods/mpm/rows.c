@@ -138,10 +138,10 @@ void mpm_set_series(Mpm *mpm)
 const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_null", "momentum",   "reaction",
                                       "momentum_x", "momentum_y",   "reaction_x",   "reaction_y", NULL};
 
-static bool has(const Mpm *mpm, enum Entry entry)
+bool mpm_has_column(const Mpm *mpm, int entry)
 {
     for (int k = 0; k < mpm->sim.n_series; k++)
-        if (mpm->series_entry[k] == (int)entry)
+        if (mpm->series_entry[k] == entry)
             return true;
     return false;
 }
@@ -152,7 +152,8 @@ bool mpm_row_needs_grid(const Mpm *mpm)
         return false;
     if (mpm->dim == 2)
         return plane_row_needs_grid(mpm);
-    return has(mpm, KINETIC_GRID) || has(mpm, KINETIC_NULL) || (has(mpm, X_CM_RATE) && mpm->sim.step == 0);
+    return mpm_has_column(mpm, KINETIC_GRID) || mpm_has_column(mpm, KINETIC_NULL) ||
+           (mpm_has_column(mpm, X_CM_RATE) && mpm->sim.step == 0);
 }
 
 bool mpm_row_has_rates(const Mpm *mpm)
