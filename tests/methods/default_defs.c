@@ -37,6 +37,7 @@ PlaneDef plane_default(bool leaves_channel)
         .algorithm = MPM_USF,
         .shape = MPM_GIMP,
         .flip_fraction = 1,
+        .rotation = ROTATION_NONE,
         .amplitude = 3e-6,
         .courant = 0.5,
         .end = 1.8e-3,
