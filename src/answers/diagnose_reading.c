@@ -368,8 +368,8 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
     for (int c = 0; c < table->n_columns; c++) {
         const Sources *sources = &trials->sources[c];
         const Source *best = NULL;
-        for (size_t i = 0; i < sources->count; i++)
-            if (!best || sources->all[i].agreed > best->agreed)
+        for (size_t i = 0; i < sources->count; i++) /* zeros alone are of any that is held */
+            if (!best || (sources->all[i].telling > 0 && sources->all[i].agreed > best->agreed))
                 best = &sources->all[i];
         DiagnoseColumn *column = &trial->reading.columns[c];
         if (!best || !is_given(table, c))
@@ -439,6 +439,7 @@ static bool make_room(Trials *trials, const Simulation *sim)
 static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Settings *settings, bool plain)
 {
     DiagnoseTable *table = trials->search->table;
+    const DiagnoseTable begun = *table;
     Settings asked = *settings;
     if (trials->count == TRIALS_MAX || diagnose_time_is_up(trials->search) ||
         !diagnose_hold_step(&asked, reading->dt, NULL) || !diagnose_read_as(table, reading))
@@ -459,6 +460,7 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
         trials->count -= trial->reading.n_columns == 0 || (!trial->plain && !trial->throughout);
     }
     simulation_destroy(sim);
+    *table = begun;
     return sound;
 }
 
@@ -529,8 +531,8 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
 
 /* Beside right codes of all schemes, which a file without its start does not tell; or beside each with one
  * mistake: the start may be wrong, or what a column is may show only later, as of two particles that begin
- * alike. */
-static bool try_codes(Trials *trials, bool wrong, bool *found)
+ * alike. Passes: plain times, then others, of codes of few choices; then of many. */
+static bool try_codes(Trials *trials, bool wrong, int pass, int end, bool *found)
 {
     enum { FEW_CHOICES = 1 };
     const Settings *right = trials->search->task->settings;
@@ -538,19 +540,18 @@ static bool try_codes(Trials *trials, bool wrong, bool *found)
     const int mistakes =
         wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
     bool sound = true;
-    /* times that are less likely with codes of few choices alone */
-    for (int pass = 0; pass < 3; pass++)
+    for (; pass < end; pass++)
         for (int i = 0; i < trials->n_times && sound && !*found; i++) {
             const TrialTimes *times = &trials->times[i];
             const DiagnoseReading reading = reading_of(trials, times);
             DiagnoseScheme *schemes;
             Settings held = *right;
-            if (times->plain != (pass != 1) || !diagnose_hold_step(&held, times->dt, NULL))
+            if (times->plain != (pass % 2 == 0) || !diagnose_hold_step(&held, times->dt, NULL))
                 continue;
             const int count = diagnose_schemes(&held, trials->search->table, &schemes);
             for (int s = 0; s < count; s++)
                 for (int m = wrong;
-                     m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass == 2) &&
+                     m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass >= 2) &&
                      !diagnose_time_is_up(trials->search);
                      m++) {
                     Settings settings = schemes[s].settings;
@@ -708,6 +709,19 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
     return count > 0 && count < READINGS_MAX ? count + add_unscaled(&out[0], &out[count]) : count;
 }
 
+/* Whether the best reading has a column of one point, which several share at the start. */
+static bool is_of_point(const Trials *trials)
+{
+    const Trial *best = NULL;
+    for (int i = 0; i < trials->count; i++)
+        if (trials->all[i].plain && (!best || trials->all[i].agreed > best->agreed))
+            best = &trials->all[i];
+    for (int c = 0; best && c < best->reading.n_columns; c++)
+        if (*best->reading.columns[c].point)
+            return true;
+    return false;
+}
+
 int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
 {
     const DiagnoseTable begun = *search->table;
@@ -725,12 +739,17 @@ int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
         const bool of_bar = !(search->task->settings->problem->concerns & CONCERN_PLANE);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
-        for (int i = 0; i < (of_bar ? 3 : 1) * ways && sound && !found; i++) { /* right codes first */
+        for (int i = 0; i < 4 * ways && sound && !found; i++) { /* right codes first */
+            const int round = i / ways;
             trials->nodes = i % ways;
-            if (i < ways)
+            if (round == 0)
                 sound = try_all_times(trials, &found);
-            else if (trials->doubt == 0)
-                sound = try_codes(trials, i >= 2 * ways, &found);
+            else if (trials->doubt == 0 && (of_bar || (round < 3 && is_of_point(trials))))
+                sound = try_codes(trials, round == 2, round == 3 ? 3 : 0,
+                                  !of_bar      ? 1
+                                  : round == 3 ? 4
+                                               : 3,
+                                  &found);
         }
         count = sound ? choose(trials, out) : -1;
         for (int f = 0; f < FIELDS_MAX; f++)

@@ -43,8 +43,8 @@ int diagnose_digits_written(const DiagnoseTable *table)
  * throughout, that of places too. */
 static bool disturb(Settings *settings)
 {
-    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "material.youngs_modulus",
-                                       "mesh.cell_size"};
+    static const char *const keys[] = {"bar.youngs_modulus", "beam.youngs_modulus", "plate.youngs_modulus",
+                                       "material.youngs_modulus", "mesh.cell_size"};
     bool other = false;
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const Parameter *parameter = parameter_find(keys[i]);

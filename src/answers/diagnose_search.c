@@ -157,25 +157,32 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
 }
 
-/* So many moments beyond the right run's departure are no chance; of many digits fewer. */
-static size_t least_beyond(const Search *search)
+/* Whether a run that fails, or in which round-off grows, explains more than chance does of where the right
+ * one departs: by the digits of all these entries, but for those that a value was fitted to. The first row
+ * may be the start, which many codes share. */
+static bool is_beyond_chance(const Search *search, const Candidate *candidate, const Walk *walk)
 {
-    enum { MOMENTS = 5, OF_MANY = 2, MANY_DIGITS = 8 };
-    return diagnose_digits_written(search->table) < MANY_DIGITS ? MOMENTS : OF_MANY;
+    enum { DIGITS = 14 };
+    const DiagnoseTable *table = search->table;
+    const size_t start = table->moments[0].count * (size_t)table->n_columns,
+                 before = search->walk.entries > start ? search->walk.entries : start,
+                 least = (size_t)(DIGITS / diagnose_digits_written(table) + 1);
+    return walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
 }
 
 /* A code that agrees for a while and then by less and less: compared again with what round-off grows to in
  * it. False: it was given up. */
-static bool try_again(Search *search, const Settings *wrong, Walk *walk, bool *agrees)
+static bool try_again(Search *search, const Candidate *candidate, const Settings *wrong, Walk *walk,
+                      bool *agrees)
 {
     size_t moments;
     bool stopped = false;
     double *grown = diagnose_grown(search, wrong, &moments, &stopped);
-    if (grown && moments > search->walk.departure.moment + least_beyond(search)) {
+    if (grown && moments > search->walk.departure.moment) {
         *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
         diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, NULL);
         stopped = walk->stopped;
-        *agrees = !stopped && !walk->departure.is;
+        *agrees = !stopped && !walk->departure.is && is_beyond_chance(search, candidate, walk);
         walk->grown = NULL;
     }
     free(grown);
@@ -201,11 +208,12 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
      * the right one does */
     const bool departs = search->walk.departure.is;
     const size_t shown = departs ? search->walk.departure.moment : 0;
-    *agrees = !walk->departure.is && walk->entries > 0 &&
-              (departs ? walk->compared > shown + (walk->failed ? least_beyond(search) : 0)
-                       : walk->compared >= search->walk.compared);
+    *agrees =
+        !walk->departure.is && walk->entries > 0 &&
+        (departs ? walk->compared > shown && (!walk->failed || is_beyond_chance(search, candidate, walk))
+                 : walk->compared >= search->walk.compared);
     return *agrees || !departs || candidate->kind == DIAGNOSE_VALUE ||
-           walk->departure.moment < shown + least_beyond(search) || try_again(search, wrong, walk, agrees);
+           !is_beyond_chance(search, candidate, walk) || try_again(search, candidate, wrong, walk, agrees);
 }
 
 static bool has_value(const Diagnosis *found, const Parameter *parameter)
@@ -269,6 +277,13 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
     return true;
 }
 
+/* Of schemes that differ in a share alone one is enough. */
+static bool is_share_to_seek(const Search *search, const Parameter *parameter)
+{
+    return diagnose_is_share(parameter) &&
+           settings_number(&search->right, parameter) == settings_number(&search->given, parameter);
+}
+
 /* One value that is another, or a round share of the scheme that is `right` at present. Where times of few
  * digits leave the step open, it may be that of the value. */
 static bool try_values(Search *search, bool shares)
@@ -282,7 +297,8 @@ static bool try_values(Search *search, bool shares)
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
         for (int i = 0; i < n_parameters; i++)
             if (!diagnose_time_is_up(search) && diagnose_is_tried(&search->right, &parameters[i]) &&
-                parameters[i].type == PARAMETER_REAL && (!shares || diagnose_is_share(&parameters[i])) &&
+                parameters[i].type == PARAMETER_REAL &&
+                (!shares || is_share_to_seek(search, &parameters[i])) &&
                 !has_value(search->found, &parameters[i]) &&
                 !try_value(search, &parameters[i], by_value ? settings_time(search->task->settings) : NULL,
                            simpler))
@@ -414,18 +430,17 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
     return sound;
 }
 
-/* `shown`: whether the file departs; else only mistakes count, those that it cannot show. */
-static bool try_all(Search *search, bool shown)
+/* Where the file departs, other right codes, or wrong ones; else the mistakes that it cannot show. */
+static bool try_all(Search *search, bool wrong)
 {
     DiagnoseScheme *schemes;
     search->given = search->by_first = search->right;
-    if (!shown)
+    if (!search->walk.departure.is)
         return try_listed(search, false, true);
     const int count = diagnose_schemes(&search->right, search->table, &schemes);
     if (!schemes)
         return status_fail(search->status, "out of memory");
-    const bool sound = try_schemes(search, schemes, count) &&
-                       (search->found->n_explanations > 0 || try_product(search, schemes, count));
+    const bool sound = wrong ? try_product(search, schemes, count) : try_schemes(search, schemes, count);
     free(schemes);
     search->right = search->given;
     return sound;
@@ -455,7 +470,8 @@ static void tell_walk(Search *search)
         name_departure(search);
 }
 
-static bool judge(Search *search)
+/* Beside right codes, or beside wrong ones, which are tried where no right one agrees. */
+static bool judge(Search *search, bool wrong)
 {
     Diagnosis *found = search->found;
     const Walk *walk = &search->walk;
@@ -464,7 +480,7 @@ static bool judge(Search *search)
     if (found->verdict != DIAGNOSE_UNKNOWN)
         return true;
     tell_walk(search);
-    if (!try_all(search, walk->departure.is))
+    if (!try_all(search, wrong))
         return false;
     const bool departs = walk->departure.is;
     if (departs && found->n_explanations > 0 && found->explanations[0].kind != DIAGNOSE_SCHEME) {
@@ -481,8 +497,8 @@ static bool judge(Search *search)
     return true;
 }
 
-/* Each way to read the table, the likeliest first, up to one that a right code or a mistake explains; else as
- * the first that a value does, or as the first. */
+/* Each way to read the table, the likeliest first, up to one that a right code explains, then to one that a
+ * mistake does; else as the first that a value does, or as the first. */
 static bool judge_readings(Search *search, const DiagnoseReading *readings, int count)
 {
     DiagnoseTable *table = search->table;
@@ -492,30 +508,34 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
     DiagnoseTable as_first = begun;
     Status why = {STATUS_DONE, ""};
     int first_of = -1;
-    for (int i = 0; i < count; i++) {
-        const long tried = search->found->tried;
+    for (int i = 0; i < 2 * count; i++) {
+        const Diagnosis before = *search->found;
+        const bool wrong = i >= count;
         *table = begun;
         *search->found = nothing;
-        search->found->tried = tried;
+        search->found->tried = before.tried;
+        search->found->time_up = before.time_up;
         free(search->grown);
         search->grown = NULL;
         search->right = *search->task->settings;
-        if (!diagnose_read_as(table, &readings[i]) || !diagnose_hold_step(&search->right, table->dt, &why))
+        if (!diagnose_read_as(table, &readings[i % count]) ||
+            !diagnose_hold_step(&search->right, table->dt, &why))
             continue;
-        if (!judge(search))
+        if (!judge(search, wrong))
             return false;
         const bool by_value = search->found->verdict == DIAGNOSE_EXPLAINED &&
                               search->found->explanations[0].kind == DIAGNOSE_VALUE;
         if (search->found->verdict != DIAGNOSE_UNKNOWN && !by_value)
             return true;
         /* a value that fits a few rows is less likely than a mistake in another reading */
-        if (first_of < 0 || (by_value && first.verdict == DIAGNOSE_UNKNOWN))
-            first_of = i, first = *search->found, as_first = *table;
+        if (wrong && (first_of < 0 || (by_value && first.verdict == DIAGNOSE_UNKNOWN)))
+            first_of = i % count, first = *search->found, as_first = *table;
     }
     if (first_of < 0)
         return status_refuse(search->status, "%s: the scenario cannot be run with its time step %.10g%s%s",
                              table->file.file, readings[0].dt, *why.text ? ": " : "", why.text);
     first.tried = search->found->tried;
+    first.time_up = search->found->time_up;
     diagnose_read_as(table, &readings[first_of]); /* its steps */
     *search->found = first;
     *table = as_first;

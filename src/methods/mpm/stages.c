@@ -321,7 +321,8 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
             stress[p] = (newest ? 0.0 : stress[p]) + (kind != OTHER ? of_all : mpm_modulus(mpm, p)) * L[0];
             volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], left) : volume[p] * left;
         }
-        if (!(left > 0.0) && crushed < 0)
+        if (!(left > 0.0) && !(mistake && isfinite(left) && left != 0.0) &&
+            crushed < 0) /* who errs goes on */
             crushed = p;
     }
     return crushed;
