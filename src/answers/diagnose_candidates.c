@@ -392,7 +392,7 @@ enum { LOOK = 12, COLUMNS_MOST = 64 }; /* so many steps tell any two codes apart
 /* One of two codes that run side by side. */
 typedef struct Code {
     Settings settings;
-    Run run;
+    Simulation *sim;
     const DiagnoseTable *table;
     double *values; /* at the present step, [column][thing]: of the series, or of the file's set */
     int columns;
@@ -401,7 +401,7 @@ typedef struct Code {
 
 static const Quantity *column_of_code(const Code *code, int column)
 {
-    const Simulation *sim = code->run.sim;
+    const Simulation *sim = code->sim;
     if (code->table->set < 0)
         return &sim->series[column];
     for (int f = 0; f < sim->n_fields; f++)
@@ -411,21 +411,14 @@ static const Quantity *column_of_code(const Code *code, int column)
     return NULL;
 }
 
-/* A further step. False: it goes no further. */
-static bool go_on(Code *code)
-{
-    return run_advance(&code->run, (RunUntil){RUN_STEPS, 1}, NULL, NULL);
-}
-
 static bool open_code(Code *code)
 {
     const int set = code->table->set;
     strcpy(settings_edit_output(&code->settings)->columns, "all");
     settings_edit_output(&code->settings)->follow[0] = '\0';
-    if (!run_open(&code->run, &code->settings, problem_simulate(&code->settings, 1, NULL), NULL) ||
-        !run_start(&code->run, NULL, NULL))
+    const Simulation *sim = code->sim = problem_simulate(&code->settings, 1, NULL);
+    if (!sim)
         return false;
-    const Simulation *sim = code->run.sim;
     for (int f = 0; f < sim->n_fields && set >= 0; f++)
         code->columns += sim->fields[f].set == set;
     code->columns = set < 0 ? sim->n_series : code->columns;
@@ -436,7 +429,7 @@ static bool open_code(Code *code)
 
 static void close_code(Code *code)
 {
-    run_close(&code->run);
+    simulation_destroy(code->sim);
     free(code->values);
 }
 
@@ -456,7 +449,7 @@ static void read_fields(Simulation *sim, void *context)
 
 static bool read_code(Code *code)
 {
-    Simulation *sim = code->run.sim;
+    Simulation *sim = code->sim;
     if (code->table->set < 0)
         simulation_row(sim, code->values);
     else if (sim->sets[code->table->set].ready_after > 0)
@@ -520,7 +513,8 @@ static bool differ(const Settings *a, const Settings *b, const DiagnoseTable *ta
     for (int step = 0; step < LOOK && goes_on && !found; step++) {
         goes_on = read_code(&codes[0]) && read_code(&codes[1]);
         found = goes_on ? difference(codes, by_file, most) : NULL;
-        goes_on = goes_on && go_on(&codes[0]) && go_on(&codes[1]);
+        goes_on = goes_on && simulation_steps(codes[0].sim, 1, NULL, NULL, NULL) &&
+                  simulation_steps(codes[1].sim, 1, NULL, NULL, NULL);
     }
     snprintf(name, OVERLAY_NAME_MAX, "%s", found ? found : "");
     close_code(&codes[0]);

@@ -56,8 +56,6 @@ double diagnose_size_at_start(Simulation *, const Quantity *, const double *row)
 /* Whether numbers of these have one size: they have one unit, and both are displacements or none is. */
 bool diagnose_are_alike(const Quantity *, const Quantity *);
 
-/* The round-off of two right codes after a step, as a share of a column's size. */
-
 /* diagnose_candidates.c: what else could have made the numbers: up to two values other than the scenario's.
  */
 typedef struct Candidate {

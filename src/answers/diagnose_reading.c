@@ -68,7 +68,7 @@ static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, doubl
     table->n_moments = table->all_moments;
     while (table->n_moments > 0 && (double)table->moments[table->n_moments - 1].step > most)
         table->n_moments--;
-    return table->n_moments > 0;
+    return table->n_moments > (table->all_moments > 1 ? 1 : 0);
 }
 
 bool diagnose_read_as(DiagnoseTable *table, const DiagnoseReading *reading)

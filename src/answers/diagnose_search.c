@@ -4,11 +4,8 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_body.h"
-#include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
-#include "scenario/concern_loads.h"
 
-#include "answers/references.h"
 #include "base/wait.h"
 #include "base/math/functions.h"
 #include "base/text.h"
@@ -306,35 +303,21 @@ static bool try_values(Search *search, bool shares)
     return true;
 }
 
-/* Two mistakes, where no one thing explains the file. */
-static bool try_pairs(Search *search)
-{
-    Candidate *pairs = malloc(CANDIDATES_MAX * sizeof *pairs);
-    Settings wrong;
-    Walk walk;
-    bool sound = pairs || status_fail(search->status, "out of memory"), agrees;
-    search->found->pairs_left = !search->task->pairs && search->right.problem->concerns & CONCERN_PLANE;
-    const int count = sound && !search->found->pairs_left ? diagnose_pairs(&search->right, pairs) : 0;
-    for (int i = 0; i < count && sound; i++) {
-        sound = try_one(search, &pairs[i], &walk, &wrong, &agrees);
-        if (sound && agrees)
-            keep(search, &pairs[i], &wrong, &walk);
-    }
-    free(pairs);
-    return sound;
-}
+typedef enum Listed { MISTAKES, MISTAKES_AND_VALUES, PAIRS_OF_MISTAKES } Listed;
 
 /* What may be wrong in the code of the scheme that is `right` at present. False: it was given up. */
-static bool try_listed(Search *search, bool values, bool mistakes_only)
+static bool try_listed(Search *search, Listed what)
 {
     Candidate *candidates = malloc(CANDIDATES_MAX * sizeof *candidates);
     Settings wrong;
     Walk walk;
     bool sound = candidates || status_fail(search->status, "out of memory"), agrees;
-    const int count = sound ? diagnose_candidates(&search->right, values, candidates) : 0;
+    const int count = !sound ? 0
+                      : what == PAIRS_OF_MISTAKES
+                          ? diagnose_pairs(&search->right, candidates)
+                          : diagnose_candidates(&search->right, what == MISTAKES_AND_VALUES, candidates);
     for (int i = 0; i < count && sound; i++) {
-        if (candidates[i].kind == DIAGNOSE_SCHEME ||
-            (mistakes_only && candidates[i].kind != DIAGNOSE_MISTAKE))
+        if (candidates[i].kind == DIAGNOSE_SCHEME)
             continue;
         sound = try_one(search, &candidates[i], &walk, &wrong, &agrees);
         if (sound && agrees)
@@ -379,9 +362,9 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
     if (!sound || search->found->n_explanations == 0)
         return sound;
     search->right = search->by_first;
-    sound = try_listed(search, false, true);
+    sound = try_listed(search, MISTAKES);
     search->right = search->given;
-    return sound && try_listed(search, false, true);
+    return sound && try_listed(search, MISTAKES);
 }
 
 /* Half a kick at once is a kick of two halves without the second: such codes of bonds are one. */
@@ -396,7 +379,7 @@ static bool try_other_steppings(Search *search)
     for (int i = 0; sound && i < parameter_choices(stepping, search->right.problem); i++) {
         search->right = search->of_first;
         settings_put(&search->right, stepping, i);
-        sound = i == now || try_listed(search, false, true);
+        sound = i == now || try_listed(search, MISTAKES);
     }
     search->right = search->given;
     return sound;
@@ -414,18 +397,22 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
             if (schemes[s].choices != choices)
                 continue;
             search->right = schemes[s].settings;
-            sound = try_listed(search, choices <= 1, false);
+            sound = try_listed(search, choices <= 1 ? MISTAKES_AND_VALUES : MISTAKES);
         }
         search->right = search->given;
         sound = sound && (choices > 0 || try_values(search, false));
     }
     sound = sound && try_other_steppings(search);
+    /* two mistakes, where no one thing explains the file */
+    search->found->pairs_left = !few && search->found->n_explanations == 0 && !search->task->pairs &&
+                                search->right.problem->concerns & CONCERN_PLANE;
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
                                                       settings_transfer(&search->given)->algorithm)) {
             search->right = schemes[s].settings;
             sound = (s == 0 || try_values(search, false)) &&
-                    (search->found->n_explanations > 0 || try_pairs(search));
+                    (search->found->n_explanations > 0 || search->found->pairs_left ||
+                     try_listed(search, PAIRS_OF_MISTAKES));
         }
     return sound;
 }
@@ -436,7 +423,7 @@ static bool try_all(Search *search, bool wrong)
     DiagnoseScheme *schemes;
     search->given = search->by_first = search->right;
     if (!search->walk.departure.is)
-        return try_listed(search, false, true);
+        return try_listed(search, MISTAKES);
     const int count = diagnose_schemes(&search->right, search->table, &schemes);
     if (!schemes)
         return status_fail(search->status, "out of memory");

@@ -78,13 +78,14 @@ static Got next_line(Reader *reader)
     return GOT_LINE;
 }
 
-/* A comment is kept: names may be in it. */
+/* A comment, as numpy, MATLAB and Fortran begin it, is kept: names may be in it. */
 static bool says_nothing(Reader *reader)
 {
     const char *text = reader->text + strspn(reader->text, " \t;,");
-    if (*text == '#')
+    const bool comments = *text && strchr("#%!", *text);
+    if (comments)
         snprintf(reader->comment, sizeof reader->comment, "%s", text + 1);
-    return *text == '\0' || *text == '#';
+    return *text == '\0' || comments;
 }
 
 /* The next line that holds something. */
