@@ -379,6 +379,9 @@ make dt2.csv mode5 --steps 60 --set time.courant=0.2
 awk -F, 'NR > 1 { printf "%.15g %.15g\n", 1000 * $2, -$3 }' dt2.csv >ms.txt
 expect "twice the time step, in ms, without names" 0 mode5 ms.txt
 result "are read" sh -c 'grep -q "^Read as: a column without a name: v_cm, with the other sign; times in ms; dt 0.02 (the scenario.s is 0.01)$" out && grep -q "those of the right code" out'
+{ echo '% t (us), v_cm' && awk -F, 'NR > 1 { printf "%.15g, %.15g\n", 1e6 * $2, $3 }' dt2.csv; } >us.txt
+expect "twice the time step, in microseconds, named as MATLAB comments" 0 mode5 us.txt
+result "are read" says out '^Read as: v_cm; times in millionths; dt 0.02 (the scenario.s is 0.01)$'
 "$MATVIB" run mode5 --steps 5 --frames 6 --particles long.csv --quiet
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { row[$2] = row[$2] " " $at["u"] } END { for (k = 0; k <= 5; k++) print k / 100 row[k / 100] }' long.csv >wide.txt
 expect "a wide table" 0 mode5 wide.txt
