@@ -48,7 +48,7 @@ bool edit_answer_filter(Laboratory *lab, const char *text)
     lab->parameters.filter[0] = '\0';
     lab->parameters.selected = 0;
     edit_move(lab, 1);
-    return prompt_refuse(&lab->prompting, "no parameter has that in its name");
+    return prompt_refuse(lab, "no parameter has that in its name");
 }
 
 /* A run that begins again seeks the time that the first of these edits found on screen. */
@@ -107,14 +107,14 @@ static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DI
 bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     size_t *chosen = &lab->screen.chosen.particle;
-    const Simulation *sim = experiment_simulation(laboratory_run(lab));
+    const Simulation *sim = laboratory_simulation(lab);
     const size_t before = sim->counts[0];
     double place[SIMULATION_DIMENSIONS_MAX] = {0};
     if (*chosen < before)
         place_of(sim, *chosen, place);
     if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
-    sim = experiment_simulation(laboratory_run(lab));
+    sim = laboratory_simulation(lab);
     /* another spacing numbers them again: the one that was looked at is the one that lies nearest to its
      * place
      */
@@ -134,14 +134,14 @@ static void remember(Editing *editing, const Settings *before)
 
 bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
-    Settings old = *experiment_settings(laboratory_run(lab));
+    Settings old = *laboratory_settings(lab);
     bool same = settings_same(&old, settings);
     long step;
     int stage;
     player_place(lab, &step, &stage);
     /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
     if (step != lab->editing.anchor_step)
-        lab->editing.anchor_time = (double)step * experiment_simulation(laboratory_run(lab))->dt;
+        lab->editing.anchor_time = (double)step * laboratory_simulation(lab)->dt;
     /* a run that was at its end comes back to its end, which may lie a part of a step later */
     if (step >= experiment_last_step(laboratory_run(lab)) &&
         settings_time(settings)->end == settings_time(&old)->end)
@@ -168,16 +168,16 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
     const Parameter *parameter = edit_selected(&lab->screen);
     if (!parameter)
         return;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
     if (!settings_nudge(&settings, parameter, direction, fine)) {
         /* a key that did nothing at the end of a range would seem broken */
         char range[96];
         parameter_range(parameter, settings.problem, range, sizeof range);
         if (parameter->nudge == NUDGE_NONE)
-            laboratory_say(lab, MESSAGE_INFO, "%s: Enter edits it", parameter->label);
+            laboratory_tell(lab, "%s: Enter edits it", parameter->label);
         else
-            laboratory_say(lab, MESSAGE_INFO, "%s: %s", parameter->label, range);
+            laboratory_tell(lab, "%s: %s", parameter->label, range);
     } else if (!edit_change(lab, &settings, experiment_edit, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
@@ -185,7 +185,7 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
 static bool accept_value(Laboratory *lab, Status *status)
 {
     const Parameter *parameter = edit_selected(&lab->screen);
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     return !parameter || (settings_change(&settings, parameter->key, lab->parameters.edit.text, status) &&
                           edit_change(lab, &settings, experiment_edit, status));
 }
@@ -197,14 +197,14 @@ void edit_begin(Laboratory *lab)
         return;
     /* a few words are sooner gone through than typed */
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
-        Settings settings = *experiment_settings(laboratory_run(lab));
+        Settings settings = *laboratory_settings(lab);
         Status status = {STATUS_DONE, ""};
         if (!settings_nudge(&settings, parameter, 1, false) ||
             !edit_change(lab, &settings, experiment_edit, &status))
             laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
-    settings_get(experiment_settings(laboratory_run(lab)), parameter, lab->parameters.edit.text);
+    settings_get(laboratory_settings(lab), parameter, lab->parameters.edit.text);
     lab->parameters.edit.cursor = glyphs_count(lab->parameters.edit.text);
     lab->parameters.edit.problem[0] = '\0';
     lab->parameters.edit.open = true;

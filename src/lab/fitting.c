@@ -19,7 +19,7 @@
  * Sets the overlay's column; NULL: there is none. */
 static const char *series_of(const Laboratory *lab, int *y)
 {
-    const Simulation *sim = experiment_simulation(laboratory_run(lab));
+    const Simulation *sim = laboratory_simulation(lab);
     const char *shown = view_time_curve(&lab->screen);
     *y = overlay_column_for(&lab->overlay, shown, false);
     if (*y >= 0 && simulation_find_series(sim, shown) >= 0)
@@ -69,7 +69,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
             for (int j = 0; j < i; j++)
                 text_append(text, sizeof text, "%s %.2f", i + j == 1 ? "; correlation" : ",",
                             result.noise.correlations[i][j]);
-        laboratory_say(lab, MESSAGE_INFO, "%s; u: as before", text);
+        laboratory_tell(lab, "%s; u: as before", text);
     }
     fit_free(&result);
     return sound;
@@ -85,9 +85,9 @@ bool fitting_answer(Laboratory *lab, const char *words)
     int y = -1;
     snprintf(list, sizeof list, "%s", words);
     if (!lab->screen.overlay || lab->overlay.along)
-        return prompt_refuse(&lab->prompting, "a series over time is wanted first: overlay FILE.csv");
+        return prompt_refuse(lab, "a series over time is wanted first: overlay FILE.csv");
     if (!(task.column = series_of(lab, &y)))
-        return prompt_refuse(&lab->prompting, "the overlay has no column of this run's series");
+        return prompt_refuse(lab, "the overlay has no column of this run's series");
     char column[OVERLAY_NAME_MAX];
     snprintf(column, sizeof column, "%s", task.column); /* the run on screen goes, and its names with it */
     task.column = column;
@@ -103,7 +103,7 @@ bool fitting_answer(Laboratory *lab, const char *words)
     task.count = data.count;
     sound = sound && solve(lab, &task, &settings, &status);
     fit_data_free(&data);
-    return sound || prompt_refuse(&lab->prompting, status.text);
+    return sound || prompt_refuse(lab, "%s", status.text);
 }
 
 /* The diagnosis of somebody's own code in front of a screen that goes on answering (answers/diagnose.h). */
@@ -168,11 +168,11 @@ bool fitting_diagnose(Laboratory *lab, const char *words)
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);
-        laboratory_say(lab, MESSAGE_INFO, "%s", lab->diagnosis);
+        laboratory_tell(lab, "%s", lab->diagnosis);
     }
     if (table)
         diagnose_close(table);
     free(table);
     free(found);
-    return sound || prompt_refuse(&lab->prompting, status.text);
+    return sound || prompt_refuse(lab, "%s", status.text);
 }

@@ -92,6 +92,16 @@ static inline Experiment *laboratory_run(const Laboratory *lab)
     return lab->player.duel.a;
 }
 
+static inline const Settings *laboratory_settings(const Laboratory *lab)
+{
+    return experiment_settings(laboratory_run(lab));
+}
+
+static inline const Simulation *laboratory_simulation(const Laboratory *lab)
+{
+    return experiment_simulation(laboratory_run(lab));
+}
+
 /* At t = 0, running or paused as the options say. False: the status says why; nothing is left open. */
 bool laboratory_open(Laboratory *, const LaboratoryOptions *, const Host *, Status *);
 void laboratory_close(Laboratory *);
@@ -129,8 +139,9 @@ bool laboratory_work(Laboratory *, const char *format, ...) __attribute__((forma
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
 
-/* In the key line, until a key is pressed or, of MESSAGE_INFO, it has been read; MESSAGE_NONE: nothing
- * more. */
+/* In the key line, until a key is pressed or, what is told (MESSAGE_INFO), has been read; MESSAGE_NONE:
+ * nothing more. */
 void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void laboratory_tell(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -26,7 +26,7 @@ bool laboratory_work(Laboratory *lab, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    laboratory_say(lab, MESSAGE_INFO, "%s", text);
+    laboratory_tell(lab, "%s", text);
     const bool goes_on = laboratory_go_on(lab);
     lab->message = before;
     lab->said_at = said_at;

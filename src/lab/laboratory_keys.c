@@ -37,7 +37,7 @@ static bool answer_search(Laboratory *lab, const char *text)
         return true;
     snprintf(help->sought, sizeof help->sought, "%s", text);
     if (!help_search(&lab->screen, lab->width, text, help))
-        return prompt_refuse(&lab->prompting, "the help does not have these words");
+        return prompt_refuse(lab, "the help does not have these words");
     const int most = help_most(&lab->screen, lab->width, lab->height);
     help->scroll = help->scroll < most ? help->scroll : most;
     return true;
@@ -62,7 +62,7 @@ static void help_command(Laboratory *lab, CommandId id)
         scroll_help(lab, page);
         break;
     case COMMAND_FILTER:
-        prompt_ask(&lab->prompting, answer_search, false, lab->help.sought, "search the help");
+        prompt_ask(lab, answer_search, false, lab->help.sought, "search the help");
         lab->prompting.typing = &retyped;
         break;
     case COMMAND_RIGHT:
@@ -191,8 +191,7 @@ static void take_pasted(Laboratory *lab, const char *what)
 {
     const bool ends_line = strcmp(what, "Enter") == 0;
     if (!(lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no))) {
-        laboratory_say(lab, MESSAGE_INFO,
-                       "pasted text goes into a field or a question only; : asks for a command");
+        laboratory_tell(lab, "pasted text goes into a field or a question only; : asks for a command");
         return;
     }
     if (!ends_line && lab->held.pasted_line)
@@ -258,7 +257,7 @@ static void take_key(Laboratory *lab, const Key *key)
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
         laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says that no view has it */
     else if (strlen(key->name) == 1)
-        laboratory_say(lab, MESSAGE_INFO, "the key %s does nothing; ? tells what the others do", key->name);
+        laboratory_tell(lab, "the key %s does nothing; ? tells what the others do", key->name);
 }
 
 void laboratory_key(Laboratory *lab, const Key *key)

@@ -20,7 +20,7 @@
 
 static void read_view(Laboratory *lab)
 {
-    const ViewSettings *view = settings_view(experiment_settings(laboratory_run(lab)));
+    const ViewSettings *view = settings_view(laboratory_settings(lab));
     Screen *screen = &lab->screen;
     double value;
     views_open(screen, view);
@@ -160,14 +160,13 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
 static bool open_or_refuse(Laboratory *lab, const char *name)
 {
     Status status = {STATUS_DONE, ""};
-    return open_scenario(lab, name, &status) || prompt_refuse(&lab->prompting, status.text);
+    return open_scenario(lab, name, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 void opening_tell_coarse(Laboratory *lab)
 {
     if (!lab->message.text[0])
-        laboratory_say(lab, MESSAGE_INFO, "coarse form of %s; :full opens the whole",
-                       scenario_whole(lab->scenario));
+        laboratory_tell(lab, "coarse form of %s; :full opens the whole", scenario_whole(lab->scenario));
 }
 
 bool opening_answer(Laboratory *lab, const char *text)
@@ -185,8 +184,7 @@ bool opening_whole(Laboratory *lab, const char *text)
 {
     const char *whole = text[0] ? text : scenario_whole(lab->scenario);
     if (!whole)
-        return prompt_refuse(&lab->prompting,
-                             "this is no coarse form (full SCENARIO opens one at full size)");
+        return prompt_refuse(lab, "this is no coarse form (full SCENARIO opens one at full size)");
     return open_or_refuse(lab, whole);
 }
 
@@ -307,7 +305,7 @@ void opening_ask(Laboratory *lab)
         free(names);
     free(settings);
     narrow(list, "", lab->scenario);
-    prompt_ask(&lab->prompting, answer_scenario, false, "", "open scenario or file");
+    prompt_ask(lab, answer_scenario, false, "", "open scenario or file");
     lab->prompting.shown.scenarios = list;
     lab->prompting.typing = &typing;
 }

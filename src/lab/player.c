@@ -152,7 +152,7 @@ long player_steps_ahead(const Laboratory *lab)
  * keeps no more events; else the time. */
 static void tell_stop(Laboratory *lab)
 {
-    const Simulation *sim = experiment_simulation(laboratory_run(lab));
+    const Simulation *sim = laboratory_simulation(lab);
     const NumberText time = text_rounded(simulation_time(sim), 6);
     const Stop *stop = &lab->player.stop;
     char waited[STOP_WORDS_MAX];
@@ -162,11 +162,11 @@ static void tell_stop(Laboratory *lab)
         if (stop->events >> sim->events[i].kind & 1)
             what = sim->events[i].text;
     if (stop->rests)
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: at rest", time.text);
+        laboratory_tell(lab, "stopped at t = %s: at rest", time.text);
     else if (stop->kind == STOP_AT_EVENT)
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s: %s", time.text, what);
+        laboratory_tell(lab, "stopped at t = %s: %s", time.text, what);
     else
-        laboratory_say(lab, MESSAGE_INFO, "stopped at t = %s, step %ld", time.text, sim->step);
+        laboratory_tell(lab, "stopped at t = %s, step %ld", time.text, sim->step);
 }
 
 bool player_arrive(Laboratory *lab)
@@ -185,7 +185,7 @@ bool player_arrive(Laboratory *lab)
     if (stop >= 0 && stop < step)
         player_stop_at(lab, &never); /* passed by other means */
     if (player->stop.kind == STOP_AT_EVENT && experiment_at_end(experiment)) {
-        laboratory_say(lab, MESSAGE_INFO, "the run has ended: %s did not come", player->playback.until);
+        laboratory_tell(lab, "the run has ended: %s did not come", player->playback.until);
         player_stop_at(lab, &never);
     }
     if (!player->loop.on || step < loop_end(lab, &first))

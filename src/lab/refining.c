@@ -12,7 +12,7 @@ static const ConvergenceStudy *study_to_do(const Laboratory *lab)
     for (int i = 0; i < 2; i++) {
         const ConvergenceStudy *study = shown[i] ? view_study(shown[i], screen) : NULL;
         if (study && study != lab->refining.stopped &&
-            convergence_lacks(&lab->refining.convergence, experiment_settings(laboratory_run(lab)), study))
+            convergence_lacks(&lab->refining.convergence, laboratory_settings(lab), study))
             return study;
     }
     return NULL;
@@ -45,15 +45,15 @@ static bool wait_for_point(double share, void *context)
         return false;
     if (host->now(host->context) < waiting->begun + quiet_seconds)
         return true;
-    laboratory_say(lab, MESSAGE_INFO, "%s: point %d of %d, %d %%   ^C stops", waiting->study->title,
-                   waiting->point, waiting->count, (int)(100 * share));
+    laboratory_tell(lab, "%s: point %d of %d, %d %%   ^C stops", waiting->study->title, waiting->point,
+                    waiting->count, (int)(100 * share));
     waiting->stopped = !laboratory_go_on(lab);
     return !waiting->stopped;
 }
 
 void refining_work(Laboratory *lab)
 {
-    const Settings *settings = experiment_settings(laboratory_run(lab));
+    const Settings *settings = laboratory_settings(lab);
     const ConvergencePoint *points;
     Status status = {STATUS_DONE, ""};
     Waiting waiting = {.lab = lab, .study = study_to_do(lab)};
@@ -80,7 +80,6 @@ bool refining_stop(Laboratory *lab)
     if (!refining_is_due(lab))
         return false;
     lab->refining.stopped = study_to_do(lab);
-    laboratory_say(lab, MESSAGE_INFO, "%s: stopped; show the view again to go on",
-                   lab->refining.stopped->title);
+    laboratory_tell(lab, "%s: stopped; show the view again to go on", lab->refining.stopped->title);
     return true;
 }

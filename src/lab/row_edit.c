@@ -49,7 +49,7 @@ static bool apply(Laboratory *lab, const Settings *settings, Status *status)
 
 bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
 {
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     char name[KEY_MAX];
     const char *values;
     if (!settings_have_rows(&settings, kind))
@@ -99,7 +99,7 @@ static bool accept(Laboratory *lab, Status *status)
     if (!screen_selected_row(&lab->screen, &place) || place.row == ROW_NEW)
         return true;
     const int kind = place.kind, row = place.row;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     if (!part(kind, text, name, &values))
         return status_refuse(status, "a %s is NAME = %s", row_kinds[kind].one, row_kinds[kind].form);
     char old[ROW_NAME_MAX], meant[ROW_TEXT_MAX];
@@ -121,14 +121,14 @@ static bool accept(Laboratory *lab, Status *status)
     }
     if (!apply(lab, &settings, status))
         return false;
-    select_row(lab, kind, settings_row_find(experiment_settings(laboratory_run(lab)), kind, name));
+    select_row(lab, kind, settings_row_find(laboratory_settings(lab), kind, name));
     return true;
 }
 
 static void open_field(Laboratory *lab, int kind, int row)
 {
     FieldEdit *edit = &lab->parameters.edit;
-    const Settings *settings = experiment_settings(laboratory_run(lab));
+    const Settings *settings = laboratory_settings(lab);
     char values[ROW_TEXT_MAX];
     settings_row_show(settings, kind, row, values);
     edit->text[0] = '\0';
@@ -145,7 +145,7 @@ static void open_field(Laboratory *lab, int kind, int row)
 static bool accept_value(Laboratory *lab, Status *status)
 {
     RowPlace place;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     return !screen_selected_row(&lab->screen, &place) ||
            (settings_row_place_set(&settings, &place, lab->parameters.edit.text, status) &&
             apply(lab, &settings, status));
@@ -159,7 +159,7 @@ void row_edit_begin(Laboratory *lab)
     if (place.value) {
         /* One value of a row; a first character replaces it. */
         FieldEdit *edit = &lab->parameters.edit;
-        const Settings *settings = experiment_settings(laboratory_run(lab));
+        const Settings *settings = laboratory_settings(lab);
         text_shortest(edit->text, settings_row_value(settings, place.kind, place.row, place.value - 1));
         edit->cursor = glyphs_count(edit->text);
         edit->problem[0] = '\0';
@@ -174,21 +174,21 @@ void row_edit_begin(Laboratory *lab)
 void row_edit_nudge(Laboratory *lab, int direction, bool fine)
 {
     RowPlace place;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
     edit_nudge(lab, direction, fine);
     if (!screen_selected_row(&lab->screen, &place))
         return;
     const RowKind *kind = &row_kinds[place.kind];
     if (!place.value)
-        laboratory_say(lab, MESSAGE_INFO,
-                       place.row == ROW_NEW ? "Enter adds a %s"
-                       : kind->usual        ? "the %s: Enter edits, p moves it"
-                                            : "a %s: Enter edits, p moves, C copies, D deletes it",
-                       kind->one);
+        laboratory_tell(lab,
+                        place.row == ROW_NEW ? "Enter adds a %s"
+                        : kind->usual        ? "the %s: Enter edits, p moves it"
+                                             : "a %s: Enter edits, p moves, C copies, D deletes it",
+                        kind->one);
     else if (!settings_row_nudge(&settings, &place, direction, fine))
-        laboratory_say(lab, MESSAGE_INFO, "%s of a %s: there is no next one",
-                       kind->columns[place.value - 1].word, kind->one);
+        laboratory_tell(lab, "%s of a %s: there is no next one", kind->columns[place.value - 1].word,
+                        kind->one);
     else if (!apply(lab, &settings, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
@@ -278,13 +278,12 @@ static void say_place(Laboratory *lab)
     char values[ROW_TEXT_MAX];
     settings_row_show(lab->editing.draft, shown->kind, shown->row, values);
     if (has_ends(lab->editing.draft, shown))
-        laboratory_say(
-            lab, MESSAGE_INFO,
-            "%s   %s: arrows one spacing, ( ) PgUp PgDn ten   Tab the other   Enter take   Esc drop", values,
-            ends[shown->end]);
+        laboratory_tell(
+            lab, "%s   %s: arrows one spacing, ( ) PgUp PgDn ten   Tab the other   Enter take   Esc drop",
+            values, ends[shown->end]);
     else
-        laboratory_say(lab, MESSAGE_INFO,
-                       "%s   arrows move it one spacing, ( ) PgUp PgDn ten   Enter take   Esc drop", values);
+        laboratory_tell(lab, "%s   arrows move it one spacing, ( ) PgUp PgDn ten   Enter take   Esc drop",
+                        values);
 }
 
 static void begin_placing(Laboratory *lab, int kind, int row, int end)
@@ -380,10 +379,9 @@ void row_edit_point(Laboratory *lab, int x, int y)
 static int first_kind(Laboratory *lab)
 {
     for (int kind = 0; kind < ROW_KINDS; kind++)
-        if (row_kinds[kind].fresh && settings_have_rows(experiment_settings(laboratory_run(lab)), kind))
+        if (row_kinds[kind].fresh && settings_have_rows(laboratory_settings(lab), kind))
             return kind;
-    laboratory_say(lab, MESSAGE_INFO,
-                   "only plates (cuts, loads, supports) and bodies have rows to be edited");
+    laboratory_tell(lab, "only plates (cuts, loads, supports) and bodies have rows to be edited");
     return -1;
 }
 
@@ -396,8 +394,7 @@ static bool chosen(Laboratory *lab, int *kind, int *row)
     if (any)
         *kind = place.kind, *row = place.row;
     if (!any) /* where it is not marked nobody sees which one it is */
-        laboratory_say(lab, MESSAGE_INFO,
-                       "choose a row (cut, load, support, body) among the parameters first");
+        laboratory_tell(lab, "choose a row (cut, load, support, body) among the parameters first");
     return any;
 }
 
@@ -427,7 +424,7 @@ void row_edit_add(Laboratory *lab)
         return;
     const bool any = screen_selected_row(&lab->screen, &place) && row_kinds[place.kind].fresh;
     const int kind = any ? place.kind : first;
-    *lab->editing.draft = *experiment_settings(laboratory_run(lab));
+    *lab->editing.draft = *laboratory_settings(lab);
     place_new(lab, kind, row_kinds[kind].fresh);
 }
 
@@ -438,10 +435,10 @@ void row_edit_copy(Laboratory *lab)
     if (first_kind(lab) < 0 || !chosen(lab, &kind, &row))
         return;
     if (!row_kinds[kind].fresh) {
-        laboratory_say(lab, MESSAGE_INFO, "there is one %s only", row_kinds[kind].one);
+        laboratory_tell(lab, "there is one %s only", row_kinds[kind].one);
         return;
     }
-    *lab->editing.draft = *experiment_settings(laboratory_run(lab));
+    *lab->editing.draft = *laboratory_settings(lab);
     settings_row_get(lab->editing.draft, kind, row, values);
     place_new(lab, kind, values);
 }
@@ -452,15 +449,15 @@ void row_edit_delete(Laboratory *lab)
     Status status = {STATUS_DONE, ""};
     if (first_kind(lab) < 0 || !chosen(lab, &kind, &row))
         return;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     char name[ROW_NAME_MAX];
     snprintf(name, sizeof name, "%s", settings.rows[kind].rows[row].name);
     if (!row_kinds[kind].fresh)
-        laboratory_say(lab, MESSAGE_INFO, "the %s stays: it can be moved", row_kinds[kind].one);
+        laboratory_tell(lab, "the %s stays: it can be moved", row_kinds[kind].one);
     else if (!settings_row_remove(&settings, kind, name, &status) || !apply(lab, &settings, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else
-        laboratory_say(lab, MESSAGE_INFO, "%s %s is gone; u brings it back", row_kinds[kind].one, name);
+        laboratory_tell(lab, "%s %s is gone; u brings it back", row_kinds[kind].one, name);
 }
 
 void row_edit_move(Laboratory *lab)
@@ -468,7 +465,7 @@ void row_edit_move(Laboratory *lab)
     int kind, row;
     if (first_kind(lab) < 0 || !chosen(lab, &kind, &row))
         return;
-    *lab->editing.draft = *experiment_settings(laboratory_run(lab));
+    *lab->editing.draft = *laboratory_settings(lab);
     begin_placing(lab, kind, row,
                   row_kinds[kind].usual || kind == ROWS_BODIES ? ROW_BOTH_ENDS : ROW_FIRST_END);
 }

@@ -55,8 +55,7 @@ static int layout_box_rows(const Screen *screen, int height, bool map)
     if (layout_has_caption(screen))
         return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
     /* sums of the plane are of two directions */
-    if (height < 30 && is_inside(screen) &&
-        simulation_has(experiment_simulation(screen->experiment), HAS_BODIES))
+    if (height < 30 && is_inside(screen) && screen_has(screen, HAS_BODIES))
         return 7;
     return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
 }
@@ -93,7 +92,7 @@ static void lay_out_bodies(const Screen *screen, Rect rect, Layout *layout)
     const bool upper = screen->views.upper->is_map;
     Rect *map = &layout->panes[upper ? PANE_UPPER : PANE_LOWER],
          *plot = &layout->panes[upper ? PANE_LOWER : PANE_UPPER];
-    const Geometry *box = settings_geometry(experiment_settings(screen->experiment));
+    const Geometry *box = settings_geometry(screen_settings(screen));
     const double across = 2 * box->length / box->height; /* columns to a row */
     const int most = (int)(across * (rect.height - 2)) + 2, free = rect.width - PLOT_LEAST;
     const int beside = most < free ? most : free, high = rect.height * 3 / 5;
@@ -110,10 +109,10 @@ static void lay_out_bodies(const Screen *screen, Rect rect, Layout *layout)
 static void lay_out_full(const Screen *screen, int width, int height, Layout *layout)
 {
     /* a beam that is in a plot pane is not drawn twice */
-    const bool drawn = simulation_has_map(experiment_simulation(screen->experiment)) &&
+    const bool drawn = simulation_has_map(screen_simulation(screen)) &&
                        (screen->views.upper->is_map || screen->views.lower->is_map);
     /* nor are bodies in a strip, which is one body at its height at rest */
-    const bool has_bodies = simulation_has(experiment_simulation(screen->experiment), HAS_BODIES);
+    const bool has_bodies = screen_has(screen, HAS_BODIES);
     const bool bodies = drawn && has_bodies && !screen_second_run(screen);
     const int box = layout_box_rows(screen, height, drawn);
     const int mesh = drawn || has_bodies ? 0 : layout_strip_rows(height);
@@ -122,13 +121,12 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
                        : width < WIDER      ? PARAMETERS_WIDTH
                                             : WIDE_PARAMETERS_WIDTH;
     /* two runs side by side take what else joins at the right */
-    const bool tables =
-        !screen->lesson->open || simulation_has(experiment_simulation(screen->experiment), HAS_MESH);
+    const bool tables = !screen->lesson->open || screen_has(screen, HAS_MESH);
     const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen) && tables;
     const int side_width = side ? (width < WIDER ? 39 : width < 150 ? 45 : width * 3 / 10) : 0;
     const int left = fields + 1, plots = width - left - (side ? side_width + 1 : 0);
     /* the map of a beam that is not slender wants height more than the curve below it */
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const bool tall = drawn && screen->views.upper->is_map &&
                       settings_geometry(settings)->height > TALL_SHARE * settings_geometry(settings)->length;
     const int lower = tall ? middle * 4 / 9 + 1 : (middle + (layout_has_caption(screen) ? 2 : 3)) / 2,
@@ -159,7 +157,7 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
          * three have room. */
         const Rect rect = (Rect){width - side_width, top + above, side_width, middle - above};
         enum { LEAST_ROWS = 8 };
-        const int sets = experiment_simulation(screen->experiment)->n_sets > 1 ? 2 : 1;
+        const int sets = screen_simulation(screen)->n_sets > 1 ? 2 : 1;
         /* beside a lesson energies would answer what is still to be asked: its pages show them */
         const int first = screen->lesson->open ? 0 : 1;
         const int side_tables = rect.height / (first + 2) >= LEAST_ROWS ? sets : 1;
@@ -254,7 +252,7 @@ static PaneId picture_of(const Screen *screen)
 /* A body that is drawn large is not drawn twice. */
 static int strip_rows(const Screen *screen, int height)
 {
-    if (simulation_has(experiment_simulation(screen->experiment), HAS_BODIES))
+    if (screen_has(screen, HAS_BODIES))
         return 0;
     return screen_view_in(screen, picture_of(screen))->is_map ? 0 : layout_strip_rows(height);
 }
@@ -271,8 +269,7 @@ static int box_rows(const Screen *screen, int height, bool wide)
 static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
 {
     const bool map = screen->views.upper->is_map || screen->views.lower->is_map;
-    if (map && !screen->panes.inspecting &&
-        simulation_has(experiment_simulation(screen->experiment), HAS_BODIES))
+    if (map && !screen->panes.inspecting && screen_has(screen, HAS_BODIES))
         lay_out_bodies(screen, rect, layout);
     else
         layout->panes[screen->panes.inspecting ? PANE_INSPECTOR : picture_of(screen)] = rect;
@@ -303,7 +300,7 @@ static void lay_out_lesson(const Screen *screen, int width, int height, Layout *
     const int text = layout_lesson_width(width), left = text + 1;
     /* Beside a lesson: in a lecture, and of bodies once it is known, for no plot has it. */
     char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
-    const bool bodies = simulation_has(experiment_simulation(screen->experiment), HAS_BODIES);
+    const bool bodies = screen_has(screen, HAS_BODIES);
     const bool shown = screen->panes.lecture || (bodies && screen_number(screen, digits, words));
     const int number = shown && screen->lesson->lesson ? pane_number_rows(screen, width, height) : 0;
     layout->panes[PANE_MESH] = (Rect){0, 1, strip ? width : 0, strip};

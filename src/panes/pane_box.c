@@ -171,7 +171,7 @@ static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
  * lines are. */
 static void draw_caption_heading(const Screen *screen, Area area, const char *lines, bool has_headline)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const char *text = has_headline ? lines : settings->title[0] ? settings->title : settings->problem->title;
     area_rule(area, text, STYLE_HEADING);
     char rate[64];
@@ -202,7 +202,7 @@ static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
     *style = count > 0 ? STYLE_NORMAL : STYLE_WARNING;
     if (count > 0) {
         char time[48];
-        const double dt = experiment_simulation(screen->experiment)->dt;
+        const double dt = screen_simulation(screen)->dt;
         screen_time_text(screen, dt * (double)events[count - 1].step, time, sizeof time);
         snprintf(out, size, "%s: %s", time, events[count - 1].text);
     } else {
@@ -237,7 +237,7 @@ static void draw_summary(const Screen *screen, Area area)
         const double unit = readout->is_period ? 1e-3 : 1;
         const int decimals = readout_error_decimals(readout, 3);
         const char *tail = readout->is_period ? " ms" : "";
-        const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
+        const bool wrong = settings_mistake(screen_settings(screen)) != NULL;
         snprintf(text, sizeof text, "%s%s measured %s", readout->is_period ? "period" : "frequency ω",
                  wrong ? " with a mistake" : "", readout_text(readout, 5).text);
         if (readout->predicted_known && screen_shows_predicted(screen))
@@ -310,7 +310,7 @@ static bool draw_box(const Screen *screen, Area area)
         char about[ABOUT_MAX];
         /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
          * have left, or be hidden. */
-        memcpy(about, experiment_settings(screen->experiment)->about, ABOUT_MAX);
+        memcpy(about, screen_settings(screen)->about, ABOUT_MAX);
         if (!is_drawn(screen, LINE_DOTTED))
             drop_sentences(about, "otted");
         if (!is_drawn(screen, LINE_DASHED))

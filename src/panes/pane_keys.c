@@ -271,7 +271,7 @@ static void draw_keys(const Screen *screen, Area area)
         return;
     const Parameter *parameter = rows[screen->parameters->selected].parameter;
     char range[96], text[320];
-    const Problem *problem = experiment_settings(screen->experiment)->problem;
+    const Problem *problem = screen_settings(screen)->problem;
     parameter_range(parameter, problem, range, sizeof range);
     const char *unit = problem->si ? parameter->unit : "";
     snprintf(text, sizeof text, "%s (%s%s%s): %s", parameter->key, range, *unit ? " " : "", unit,

@@ -75,7 +75,7 @@ static int common(const char *one, const char *other)
 
 bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX])
 {
-    const RunNumber *number = run_number_about(experiment_settings(screen->experiment));
+    const RunNumber *number = run_number_about(screen_settings(screen));
     RunSummary summary;
     summary_now(screen->experiment, number->part, &summary);
     const double value = number->value(&summary, number->word) * number->scale;

@@ -44,7 +44,7 @@ static bool is_field(const Derived *derived, const Problem *problem)
 /* The rows of a plate of one kind under its section's name, and a place for a new one. */
 static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const RowKind *about = &row_kinds[kind];
     const RowList *list = &settings->rows[kind];
     int count = 0;
@@ -79,12 +79,12 @@ const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
         *kind = rows[selected].place.kind;
         *row = rows[selected].place.row;
     }
-    return experiment_settings(screen->experiment);
+    return screen_settings(screen);
 }
 
 int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const char *group = "";
     int count = 0;
     if (screen_is_plain(screen) && !screen->lesson->open && !screen->parameters->filter[0]) {
@@ -103,7 +103,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
          * anything. */
         if (!parameter_applies_to(settings, parameter) ||
             (parameter->wrong && !*screen->parameters->filter &&
-             !settings_are_at_work(experiment_settings(screen->experiment), parameter)) ||
+             !settings_are_at_work(screen_settings(screen), parameter)) ||
             !passes(screen->parameters, parameter->label, parameter->key))
             continue;
         if (strcmp(parameter->group, group) != 0)
@@ -153,7 +153,7 @@ int screen_row_of(const Screen *screen, const Parameter *parameter)
 /* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */
 static void real_text(const Screen *screen, const Parameter *parameter, char out[NUMBER_TEXT_MAX])
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     out[0] = '\0';
     if (parameter->type != PARAMETER_REAL)
         return;
@@ -200,7 +200,7 @@ static void draw_field(const Screen *screen, Area area, int y, int from)
 /* A row of a plate: its name and its values; while it is edited both are in the field, as in a file. */
 static void draw_row(const Screen *screen, Area area, int y, const ParameterRow *row, bool chosen)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
     const Style style = focused ? STYLE_SELECTED : row->place.row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
     if (focused)
@@ -229,7 +229,7 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
 
 void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
     const int width = area.rect.width;
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
@@ -322,7 +322,7 @@ static bool draw_wrapped(Area area, const char *text)
 /* The values of a row that have no room beside its name or, while it is edited, what they are. */
 static bool draw_row_hint(const Screen *screen, Area area, const ParameterRow *row)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const RowKind *kind = &row_kinds[row->place.kind];
     char values[ROW_TEXT_MAX];
     if (row->place.row == ROW_NEW || screen->parameters->edit.open)
@@ -336,10 +336,8 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
 {
     char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
     if (row->parameter) {
-        snprintf(unit, sizeof unit, "%s",
-                 parameter_unit(row->parameter, experiment_settings(screen->experiment)->problem));
-        parameter_range(row->parameter, experiment_settings(screen->experiment)->problem, range,
-                        sizeof range);
+        snprintf(unit, sizeof unit, "%s", parameter_unit(row->parameter, screen_settings(screen)->problem));
+        parameter_range(row->parameter, screen_settings(screen)->problem, range, sizeof range);
         real_text(screen, row->parameter, real);
     } else if (row->derived >= 0) {
         snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
@@ -408,7 +406,7 @@ enum { ASK_LINES = 2 };
 void pane_question_text(const Screen *screen, char out[ABOUT_MAX])
 {
     char about[ABOUT_MAX];
-    memcpy(about, experiment_settings(screen->experiment)->about, sizeof about);
+    memcpy(about, screen_settings(screen)->about, sizeof about);
     char *end = strchr(about, '?'), *begin = about;
     out[0] = '\0';
     if (!end)

@@ -22,7 +22,7 @@ typedef struct Subject {
 
 static Subject subject_of(const Screen *screen)
 {
-    Subject subject = {.screen = screen, .sim = experiment_simulation(screen->experiment)};
+    Subject subject = {.screen = screen, .sim = screen_simulation(screen)};
     const Simulation *sim = subject.sim;
     subject.stage = screen_box_stage(screen, &subject.done);
     subject.set = screen->chosen.is_node && simulation_has(sim, HAS_MESH);

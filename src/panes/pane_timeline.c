@@ -18,7 +18,7 @@ typedef struct Line {
 static Line line_of(const Screen *screen, int width)
 {
     const Problem *facts = screen_problem(screen);
-    const double dt = experiment_simulation(screen->experiment)->dt;
+    const double dt = screen_simulation(screen)->dt;
     Line line = {.first = GUTTER};
     snprintf(
         line.end, sizeof line.end, "%s%s",
@@ -39,7 +39,7 @@ static int cell_of(const Screen *screen, const Line *line, long step)
 long screen_bookmark_step(const Screen *screen, int index)
 {
     ASSERT_INT(index, >=, 0);
-    const double dt = experiment_simulation(screen->experiment)->dt;
+    const double dt = screen_simulation(screen)->dt;
     const long step = lround(screen->bookmarks->places[index].time / dt),
                last = experiment_last_step(screen->experiment);
     return step < last ? step : last;

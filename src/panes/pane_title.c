@@ -16,7 +16,7 @@
 static void method_words_of(const Screen *screen, char *out, size_t size)
 {
     static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer"};
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     if (screen_second_run(screen)) {
         snprintf(out, size, "A %s  B %s", screen->duel->names[0], screen->duel->names[1]);
         return;
@@ -39,7 +39,7 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
 /* "mu 0.5" where masses are not lumped; of a duel the runs' names say what differs. */
 static void blend_words_of(const Screen *screen, char *out, size_t size)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const Parameter *blend = parameter_find("mpm.mass_blend");
     char value[LIST_MAX];
     out[0] = '\0';
@@ -130,7 +130,7 @@ typedef struct Title {
 /* A page that sets something to a value of the student's own is no longer of what the scenario asks. */
 static const char *headline_of(const Screen *screen)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const LessonShown *shown = screen->lesson;
     bool own = false;
     for (int v = 0; shown->lesson && v < shown->lesson->n_variants; v++)
@@ -146,7 +146,7 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     blend_words_of(screen, blend, sizeof blend);
     const char *name = screen->scenario ? screen->scenario : "", *slash = strrchr(name, '/');
     name = slash && slash[1] ? slash + 1 : name;
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const int stage = experiment_stage(screen->experiment);
     const bool running = screen_is_running(screen), duel = screen_second_run(screen) != NULL;
     const bool plain = screen_is_plain(screen);

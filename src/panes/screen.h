@@ -139,6 +139,22 @@ typedef struct Screen {
     const char *diagnosis;                 /* what is said of somebody's own code, in the box; "": nothing */
 } Screen;
 
+static inline const Settings *screen_settings(const Screen *screen)
+{
+    return experiment_settings(screen->experiment);
+}
+
+static inline const Simulation *screen_simulation(const Screen *screen)
+{
+    return experiment_simulation(screen->experiment);
+}
+
+/* Whether its simulation has all of these (HAS_...). */
+static inline bool screen_has(const Screen *screen, unsigned what)
+{
+    return simulation_has(screen_simulation(screen), what);
+}
+
 /* The parts that nobody has said anything of are empty, and the run is paused. */
 void screen_default(Screen *);
 

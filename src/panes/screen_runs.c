@@ -73,7 +73,7 @@ bool screen_is_plain(const Screen *screen)
 bool screen_question(const Screen *screen, char *out, size_t size)
 {
     enum { ROOM = 24 };
-    Settings tried = *experiment_settings(screen->experiment);
+    Settings tried = *screen_settings(screen);
     const Parameter *parameter = settings_question(&tried);
     char value[LIST_MAX], name[48];
     if (!parameter || !settings_answer_otherwise(&tried, parameter))
@@ -87,13 +87,13 @@ bool screen_question(const Screen *screen, char *out, size_t size)
 
 const Problem *screen_problem(const Screen *screen)
 {
-    return experiment_settings(screen->experiment)->problem;
+    return screen_settings(screen)->problem;
 }
 
 void screen_time_text(const Screen *screen, double time, char *out, size_t size)
 {
     const Problem *facts = screen_problem(screen);
-    const double unit = facts->shown_time, dt = experiment_simulation(screen->experiment)->dt / unit;
+    const double unit = facts->shown_time, dt = screen_simulation(screen)->dt / unit;
     int decimals = dt > 0 ? (int)ceil(-math_log10(dt) - 1e-9) : 2;
     decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
     snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
@@ -111,7 +111,7 @@ double screen_derived(const Screen *screen, const char *name)
 
 int screen_box_stage(const Screen *screen, bool *done)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     int stage = experiment_stage(screen->experiment);
     *done = true;
     if (stage > 0)
@@ -124,7 +124,7 @@ int screen_box_stage(const Screen *screen, bool *done)
 
 double screen_node_values(const Screen *screen, const char *name, bool before, double *out)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const int field = simulation_find_field(sim, 1, name);
     const size_t count = sim->counts[1];
     double most = 0;
@@ -179,7 +179,7 @@ double screen_field_reach(const Screen *screen, int field, const double *now, si
     if (!other)
         return reach;
     const Simulation *sim = experiment_simulation(other);
-    const char *name = experiment_simulation(screen->experiment)->fields[field].quantity.name;
+    const char *name = screen_simulation(screen)->fields[field].quantity.name;
     const int same = simulation_find_field(sim, 0, name);
     const size_t others = sim->counts[0];
     double *values = same >= 0 ? malloc((others + 1) * sizeof *values) : NULL;
@@ -239,7 +239,7 @@ int flow_target(const Simulation *sim, const Stage *stage)
 
 Flow flow_of_stage(const Screen *screen, bool *inside)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const Stage *stage = &sim->stages[screen_box_stage(screen, inside)];
     *inside = *inside && !screen_is_running(screen);
     if (!*inside || !simulation_has(sim, HAS_MESH))

@@ -179,7 +179,7 @@ void picture_lay_strip(Picture *picture, StripKind strip, const char *heading)
     picture->kind = PICTURE_STRIP;
     picture->strip = strip;
     picture->bare = true;
-    picture_heading(picture, headed ? heading : "");
+    picture_heading(picture, "%s", headed ? heading : "");
     picture->body[0] = picture->columns - strips[strip].words - MARGINS;
     picture->body[1] = rows > 0 && picture->rows >= TALL ? rows : picture->rows - headed;
 }
@@ -233,7 +233,7 @@ bool picture_lay_drawing(Picture *picture, DrawingRoom *room)
         room->apart = APART;
     }
     if (!fits) {
-        picture_say(picture, "drawing",
+        picture_say(picture, "drawing", "%s",
                     picture->whole ? "z gives the drawing the room that it needs" : "it needs a wider page");
         return false;
     }

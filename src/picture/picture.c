@@ -4,6 +4,7 @@
 
 #include "base/assertion.h"
 #include <assert.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,9 +36,18 @@ void picture_close(Picture *picture)
     *picture = (Picture){0};
 }
 
-void picture_heading(Picture *picture, const char *text)
+/* Writes what a format says of the last arguments of its caller. */
+#define WRITE(out, format)                                                                                   \
+    do {                                                                                                     \
+        va_list arguments;                                                                                   \
+        va_start(arguments, format);                                                                         \
+        vsnprintf(out, sizeof out, format, arguments);                                                       \
+        va_end(arguments);                                                                                   \
+    } while (0)
+
+void picture_heading(Picture *picture, const char *format, ...)
 {
-    snprintf(picture->heading, sizeof picture->heading, "%s", text);
+    WRITE(picture->heading, format);
 }
 
 void picture_axes(Picture *picture, Axis x, const char *x_name, const char *x_unit, Axis y, const char *name,
@@ -61,7 +71,7 @@ void picture_ticks(Picture *picture, int along, int up)
     if (!picture->has_axes || picture->kind == PICTURE_MAP || picture->kind == PICTURE_STRIP)
         return;
     if (picture->kind == PICTURE_DRAWING) {
-        picture_heading(picture, picture->name);
+        picture_heading(picture, "%s", picture->name);
         return;
     }
     picture->plot.x = axis_with_ticks(picture->plot.x, along);
@@ -70,11 +80,13 @@ void picture_ticks(Picture *picture, int along, int up)
     axis_name(picture->name, scale, picture->heading, sizeof picture->heading);
 }
 
-void picture_say(Picture *picture, const char *name, const char *text)
+void picture_say(Picture *picture, const char *name, const char *format, ...)
 {
-    picture_heading(picture, name);
+    char text[PICTURE_TEXT_MAX];
+    WRITE(text, format);
+    picture_heading(picture, "%s", name);
     if (*text)
-        picture_note(picture, STYLE_FAINT, text);
+        picture_note(picture, STYLE_FAINT, "%s", text);
 }
 
 PictureMap *picture_map(Picture *picture, int nx, int ny)
@@ -258,16 +270,16 @@ char picture_run_of(const PictureKey *key)
 
 PictureNote *picture_note_brief(Picture *picture, Style style, const char *text, const char *brief)
 {
-    PictureNote *note = picture_note(picture, style, text);
+    PictureNote *note = picture_note(picture, style, "%s", text);
     snprintf(note->brief, sizeof note->brief, "%s", brief);
     return note;
 }
 
-PictureNote *picture_note(Picture *picture, Style style, const char *text)
+PictureNote *picture_note(Picture *picture, Style style, const char *format, ...)
 {
     PictureNote *note = &picture->notes[picture->n_notes];
     *note = (PictureNote){.style = style};
-    snprintf(note->text, sizeof note->text, "%s", text);
+    WRITE(note->text, format);
     picture->n_notes += picture->n_notes < PICTURE_NOTES_MAX;
     return note;
 }

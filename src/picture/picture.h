@@ -316,10 +316,10 @@ void picture_axes(Picture *, Axis x, const char *x_name, const char *x_unit, Axi
 
 void picture_ticks(Picture *, int along, int up);
 
-/* There is nothing to draw; `text` says why. */
-void picture_say(Picture *, const char *name, const char *text);
+/* There is nothing to draw; the text, which may be "", says why. */
+void picture_say(Picture *, const char *name, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-void picture_heading(Picture *, const char *text);
+void picture_heading(Picture *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Room for a map of so many pieces, to be filled; NULL: no memory. */
 PictureMap *picture_map(Picture *, int nx, int ny);
@@ -397,7 +397,7 @@ void picture_name(Picture *, Pen, const char *name); /* an entry with a piece of
 char picture_run_of(const PictureKey *);             /* the letter of an earlier run; 0: it is none */
 
 /* Below it; more can be said of the note that is returned. */
-PictureNote *picture_note(Picture *, Style, const char *text);
+PictureNote *picture_note(Picture *, Style, const char *format, ...) __attribute__((format(printf, 3, 4)));
 PictureNote *picture_note_brief(Picture *, Style, const char *text, const char *brief); /* in short too */
 
 #endif

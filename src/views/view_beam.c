@@ -20,7 +20,7 @@ static bool in_plane(const Experiment *experiment)
 
 static MapVariant shown(const Screen *screen, int variant)
 {
-    return map_variant(experiment_simulation(screen->experiment), variant);
+    return map_variant(screen_simulation(screen), variant);
 }
 
 static const char *word_of(const Screen *screen, int variant)
@@ -89,7 +89,7 @@ static void note_how(const Map *map)
     for (int i = 0; i < PARTS; i++)
         if (parts[order[i]][0])
             text_append(text, sizeof text, "%s%s", text[0] ? "  " : "", parts[order[i]]);
-    picture_note(map->picture, STYLE_NORMAL, text);
+    picture_note(map->picture, STYLE_NORMAL, "%s", text);
 }
 
 /* Where the crack's tip is, and how much is broken: seen by who looks. */
@@ -103,14 +103,13 @@ static void note_facts(const Map *map)
                 {"crack_length", "length of the crack", " mm", 1e-3},
                 {"broken_bonds", "broken bonds", "", 1}};
     const double *row = experiment_row(map->screen->experiment);
-    char text[PICTURE_TEXT_MAX];
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
         const int column = experiment_column(map->screen->experiment, told[i].column);
         if (column < 0 || !isfinite(row[column]))
             continue;
-        snprintf(text, sizeof text, "%s %s%s.", told[i].name,
-                 text_rounded(row[column] / told[i].scale, 5).text, told[i].unit);
-        picture_note(map->picture, STYLE_NORMAL, text)->told = true;
+        picture_note(map->picture, STYLE_NORMAL, "%s %s%s.", told[i].name,
+                     text_rounded(row[column] / told[i].scale, 5).text, told[i].unit)
+            ->told = true;
     }
     if (simulation_find_field(map->sim, 0, "damage") < 0)
         return;
@@ -118,9 +117,9 @@ static void note_facts(const Map *map)
     size_t damaged = 0;
     for (size_t node = 0; node < map->body.count; node++)
         damaged += damage ? map->drawn->value[node] > CRACK_DAMAGE : map->drawn->torn[node];
-    snprintf(text, sizeof text, "%zu of %zu nodes have lost more than %.0f %% of their bonds.", damaged,
-             map->body.count, 100 * CRACK_DAMAGE);
-    picture_note(map->picture, STYLE_NORMAL, text)->told = true;
+    picture_note(map->picture, STYLE_NORMAL, "%zu of %zu nodes have lost more than %.0f %% of their bonds.",
+                 damaged, map->body.count, 100 * CRACK_DAMAGE)
+        ->told = true;
 }
 
 /* --- the view -------------------------------------------------------------------------------------- */
@@ -134,7 +133,7 @@ static bool open_map(Map *map, const Screen *screen, MapVariant variant, Picture
     snprintf(title, sizeof title, "the %s", screen_problem(screen)->body);
     map_close(map);
     picture_close(picture);
-    picture_say(picture, title, "");
+    picture_heading(picture, "%s", title);
     return false;
 }
 
@@ -151,7 +150,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     if (!open_map(&map, screen, shown(screen, variant), picture))
         return;
-    picture_heading(picture, map_meaning(&map));
+    picture_heading(picture, "%s", map_meaning(&map));
     map_add_bonds(&map);
     map_add_box(&map);
     if (shown(screen, variant) == MAP_SPEED)
@@ -174,7 +173,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                       : map.drawn->is_near ? 2
                       : damage             ? 3
                                            : 4;
-    PictureNote *note = picture_note(map.picture, STYLE_FAINT, notes[which].text);
+    PictureNote *note = picture_note(map.picture, STYLE_FAINT, "%s", notes[which].text);
     snprintf(note->brief, sizeof note->brief, "%s", notes[which].brief);
     note_facts(&map);
     map_close(&map);

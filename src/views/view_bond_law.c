@@ -112,12 +112,12 @@ static const Pen pen_limit = {LINE_DASHED, '-', STYLE_EXACT, RANK_EXACT, 0}; /* 
 
 void bond_law_describe(const Screen *screen, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const double s0 = screen_derived(screen, "critical_stretch");
     const double stiffness = screen_derived(screen, "micromodulus");
     Stretches all;
     if (!take_stretches(sim, s0, &all) || !(stiffness > 0)) {
-        picture_say(picture, "a bond's force", "");
+        picture_heading(picture, "a bond's force");
         free_stretches(&all);
         return;
     }
@@ -128,8 +128,7 @@ void bond_law_describe(const Screen *screen, Picture *picture)
                  axis_make(-stiffness * reach / 4, stiffness * reach),
                  !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", "");
     const bool breaks = s0 > 0;
-    const bool conical =
-        settings_lattice(experiment_settings(screen->experiment))->influence == INFLUENCE_CONICAL;
+    const bool conical = settings_lattice(screen_settings(screen))->influence == INFLUENCE_CONICAL;
     picture_name(picture, pen_measured, conical ? "f = c1 s, shortest" : "f = c s");
     if (breaks)
         picture_name(picture, pen_limit, "s0");
@@ -162,10 +161,10 @@ void bond_law_describe(const Screen *screen, Picture *picture)
     law_lines(screen, &all, s0, most, lines[0], lines[1]);
     if (all.foremost < all.count) {
         picture_mark(picture, all.largest, stiffness * all.largest, 0x25cf, STYLE_CHANGED);
-        PictureNote *note = picture_note(picture, STYLE_NORMAL, lines[0]);
+        PictureNote *note = picture_note(picture, STYLE_NORMAL, "%s", lines[0]);
         note->sign = 0x25cf;
         note->sign_style = STYLE_CHANGED;
     }
-    picture_note(picture, STYLE_NORMAL, lines[1]);
+    picture_note(picture, STYLE_NORMAL, "%s", lines[1]);
     free_stretches(&all);
 }

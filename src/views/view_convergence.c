@@ -24,8 +24,7 @@ typedef struct Study {
 static const ConvergenceStudy *study_of(const Screen *screen, int variant)
 {
     const ConvergenceStudy *studies[CONVERGENCE_STUDIES_MAX];
-    return variant < convergence_studies(experiment_settings(screen->experiment), studies) ? studies[variant]
-                                                                                           : NULL;
+    return variant < convergence_studies(screen_settings(screen), studies) ? studies[variant] : NULL;
 }
 
 static const char *word_of(const Screen *screen, int variant)
@@ -231,7 +230,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         picture_say(picture, "convergence", "There is no predicted answer here that could converge.");
         return;
     }
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     Study study = {.of = of,
                    .count = convergence_count(of, settings),
                    .periods = settings->problem->si,
@@ -247,7 +246,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     for (int k = 0; k < study.known; k++)
         count += study.points[k].known;
     if (count < 2) {
-        picture_say(picture, of->title,
+        picture_say(picture, of->title, "%s",
                     of->by_run && study.known == study.count
                         ? "No number of these runs has an exact or reference answer."
                         : line);
@@ -257,7 +256,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         describe_periods(picture, &study);
     else
         describe_errors(picture, &study);
-    picture_note(picture, STYLE_NORMAL, line);
+    picture_note(picture, STYLE_NORMAL, "%s", line);
     for (int k = 0; k < study.known; k++) {
         char brief[200];
         point_line(&study, k, false, line);

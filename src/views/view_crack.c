@@ -32,8 +32,8 @@ static void note_crack(const Screen *screen, Picture *picture, const char *first
 {
     char lines[2][160];
     beam_lines(screen, false, lines[0], lines[1]);
-    picture_note(picture, STYLE_NORMAL, *first ? first : lines[0]);
-    picture_note(picture, STYLE_NORMAL, lines[1])->joins = true;
+    picture_note(picture, STYLE_NORMAL, "%s", *first ? first : lines[0]);
+    picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
 }
 
 /* The present run, what it should be, and the ghosts. */
@@ -52,8 +52,8 @@ static void add_keys(const Screen *screen, Picture *picture, const ShownRun *run
 
 static void describe_path(const Screen *screen, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
+    const Settings *settings = screen_settings(screen);
     const Notch notch = notch_of(settings);
     const double load = settings_loads(settings)->position, height = settings_geometry(settings)->height;
     const double beside = height * 2 / 7;
@@ -195,10 +195,10 @@ const char *crack_variant_word(int variant)
 void crack_describe(const Screen *screen, int variant, Picture *picture)
 {
     static const CrackCurve angle = {"chord to tip, deg", "", "30 deg", tip_angle, CRACK_PAPER_ANGLE, ""};
-    const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
+    const double rayleigh = crack_rayleigh_speed(screen_settings(screen));
     char line[160] = "";
     CrackFacts facts;
-    if (crack_facts(experiment_simulation(screen->experiment), &facts) && facts.measured.fastest > 0)
+    if (crack_facts(screen_simulation(screen), &facts) && facts.measured.fastest > 0)
         beam_lines_tip_speed(&facts.measured, rayleigh, line);
     const CrackCurve speed = {"tip's speed", "m/s", "Rayleigh's c_R", tip_speed, rayleigh, line};
     if (variant == 0)
@@ -233,10 +233,10 @@ static void describe_cost(const Screen *screen, Picture *picture)
     CrackPrice price;
     int asked = 0;
     const Cancel quickly = {is_quick, &asked};
-    if (!crack_price(experiment_simulation(screen->experiment), experiment_settings(screen->experiment),
+    if (!crack_price(screen_simulation(screen), screen_settings(screen),
                      experiment_fronts(screen->experiment), &quickly, &price)) {
         picture_say(
-            picture, "where the energy went, J/m^2",
+            picture, "where the energy went, J/m^2", "%s",
             asked > QUESTIONS_MAX
                 ? "So many bonds broke that a picture would take too long: the summary at the end of a run "
                   "tells."
@@ -246,7 +246,7 @@ static void describe_cost(const Screen *screen, Picture *picture)
     const CrackCost *cost = &price.cost;
     const double parts[PARTS] = {cost->through / cost->area, cost->beside / cost->area,
                                  cost->far / cost->area};
-    const double thickness = settings_geometry(experiment_settings(screen->experiment))->thickness;
+    const double thickness = settings_geometry(screen_settings(screen))->thickness;
     /* A bar a part, beside what theory and what a plane through this lattice would cost. */
     double most = fmax(price.critical_energy, price.cost.plane);
     for (int i = 0; i < PARTS; i++)

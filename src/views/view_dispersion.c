@@ -63,7 +63,7 @@ static void tell(const Settings *settings, bool transverse, bool narrow, char ou
 static void waves_plane_describe(const Screen *screen, bool transverse, Picture *picture)
 {
     enum { POINTS = 60 };
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const double letter_at = 0.5;
     char line[160];
     double most = 100;
@@ -96,7 +96,7 @@ static void waves_plane_describe(const Screen *screen, bool transverse, Picture 
         picture_mark(picture, letter_at, speed(settings, &curves[i], transverse, letter_at),
                      (uint32_t)(unsigned char)curves[i].pen.letter, curves[i].pen.style);
     tell(settings, transverse, false, line);
-    PictureNote *note = picture_note(picture, STYLE_NORMAL, line);
+    PictureNote *note = picture_note(picture, STYLE_NORMAL, "%s", line);
     tell(settings, transverse, true, note->brief);
 }
 
@@ -173,11 +173,11 @@ static void mode_lines(const Screen *screen, bool brief, char first[160], char s
         text_append(first, 160, " measured %+.2f %%", percent(readout->measured / readout->exact));
     else
         text_append(first, 160, " measuring");
-    const bool found = dispersion_mode(experiment_settings(screen->experiment), readout->mode, &mode);
+    const bool found = dispersion_mode(screen_settings(screen), readout->mode, &mode);
     if (!screen_shows_predicted(screen))
         return;
     if (!found || isnan(mode.predicted)) {
-        const bool has_waves = dispersion_modes(experiment_settings(screen->experiment)) > 0;
+        const bool has_waves = dispersion_modes(screen_settings(screen)) > 0;
         snprintf(second, 160, "%s",
                  found       ? "such a wave does not oscillate with this time step"
                  : has_waves ? "too short a wave for this mesh"
@@ -237,8 +237,7 @@ static const char shape_letters[WAYS_MAX] = {'c', 'k', 'C', 'K'};
 
 static const char *letters_of(const Screen *screen)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_MESH) ? transfer_letters
-                                                                               : shape_letters;
+    return screen_has(screen, HAS_MESH) ? transfer_letters : shape_letters;
 }
 
 static const Style way_styles[WAYS_MAX] = {STYLE_GHOST_A, STYLE_GHOST_B, STYLE_GHOST_C,
@@ -285,23 +284,23 @@ static void note_mode(const Screen *screen, Picture *picture, int n_ways)
         for (int i = 0; i < n_ways; i++) {
             double unused;
             text_append(ways, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
-                        dispersion_other_way(experiment_settings(screen->experiment), i, 1, &unused));
+                        dispersion_other_way(screen_settings(screen), i, 1, &unused));
         }
-        picture_note(picture, STYLE_NORMAL, ways);
+        picture_note(picture, STYLE_NORMAL, "%s", ways);
     }
     for (int i = 0; i < 2 - (n_ways > 0); i++)
-        memcpy(picture_note(picture, STYLE_NORMAL, whole[i])->brief, brief[i], sizeof brief[i]);
+        memcpy(picture_note(picture, STYLE_NORMAL, "%s", whole[i])->brief, brief[i], sizeof brief[i]);
     factor_line(screen->experiment, false, factors);
     if (!factors[0])
         return;
-    PictureNote *note = picture_note(picture, STYLE_FAINT, factors);
+    PictureNote *note = picture_note(picture, STYLE_FAINT, "%s", factors);
     note->spare = true;
     factor_line(screen->experiment, true, note->brief);
 }
 
 static void describe_bar(const Screen *screen, int variant, bool with_ways, Picture *picture)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const int n_ways = with_ways ? count_ways(settings) : 0, last = last_mode(screen->experiment, variant);
     const int columns = picture->dots > 1 ? picture->dots : 2;
     const int every = last > columns ? (last + columns - 1) / columns : 1;
@@ -374,16 +373,15 @@ static double beam_answer(const Readout *readout)
 /* What a period depends on: how far bonds reach or, where there are none, the cells. */
 static double reach_of(const Screen *screen, const Settings *settings)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_BONDS)
-               ? settings_lattice(settings)->horizon
-               : settings_mesh(settings)->cell_size;
+    return screen_has(screen, HAS_BONDS) ? settings_lattice(settings)->horizon
+                                         : settings_mesh(settings)->cell_size;
 }
 
 static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
 {
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
-    const Settings *own = experiment_settings(screen->experiment);
+    const Settings *own = screen_settings(screen);
     int count = 0;
     for (int i = 0; i < n_runs; i++) {
         const Settings *settings = runs[i].settings;
@@ -428,7 +426,7 @@ static bool shows_ways(const Screen *screen, int variant)
 /* The bonds of a plane carry waves that know its directions. */
 static bool has_waves(const Screen *screen)
 {
-    return simulation_has(experiment_simulation(screen->experiment), HAS_PLANE | HAS_BONDS);
+    return screen_has(screen, HAS_PLANE | HAS_BONDS);
 }
 
 static const char *word_of(const Screen *screen, int variant)
@@ -438,29 +436,29 @@ static const char *word_of(const Screen *screen, int variant)
         return waves[variant];
     if (!shows_ways(screen, variant))
         return variant == 0 ? "all" : variant == 1 ? "near" : NULL;
-    return count_ways(experiment_settings(screen->experiment)) == 0 ? NULL
-           : letters_of(screen) == shape_letters                    ? "shapes"
-                                                                    : "transfers";
+    return count_ways(screen_settings(screen)) == 0 ? NULL
+           : letters_of(screen) == shape_letters    ? "shapes"
+                                                    : "transfers";
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const bool ways = shows_ways(screen, variant);
     char text[96];
     snprintf(text, sizeof text,
              "What breaks has no period to be compared. The log (%d) tells when and where.", view_log.digit);
-    if (simulation_has(experiment_simulation(screen->experiment), HAS_LINE))
+    if (screen_has(screen, HAS_LINE))
         describe_bar(screen, ways ? 0 : variant, ways, picture);
     else if (has_waves(screen) && variant > 0)
         waves_plane_describe(screen, variant == 2, picture);
     else if (settings->problem->concerns & CONCERN_NOTCH)
-        picture_say(picture, "convergence", text);
+        picture_say(picture, "convergence", "%s", text);
     else if (!experiment_readout(screen->experiment)->moving)
         picture_say(picture, "convergence", "Nothing vibrates here: there is no period to measure.");
     else {
         const Readout *readout = experiment_readout(screen->experiment);
-        const bool bonds = simulation_has(experiment_simulation(screen->experiment), HAS_BONDS);
+        const bool bonds = screen_has(screen, HAS_BONDS);
         const struct {
             const char *name;
             double value;
@@ -496,8 +494,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         period_lines(readout, height, span, false, whole[0], whole[1]);
         period_lines(readout, height, span, true, brief[0], brief[1]);
         for (int j = 0; j < 2; j++)
-            memcpy(picture_note(picture, j == 0 ? STYLE_NORMAL : STYLE_FAINT, whole[j])->brief, brief[j],
-                   sizeof brief[j]);
+            memcpy(picture_note(picture, j == 0 ? STYLE_NORMAL : STYLE_FAINT, "%s", whole[j])->brief,
+                   brief[j], sizeof brief[j]);
     }
 }
 

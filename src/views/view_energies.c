@@ -73,7 +73,7 @@ static double rigid_energy(const Experiment *experiment)
 /* Of APIC the null space is that of velocities without their slopes: no part of the sum. */
 static int null_column(const Screen *screen)
 {
-    const bool apic = settings_transfer(experiment_settings(screen->experiment))->transfer == MPM_APIC;
+    const bool apic = settings_transfer(screen_settings(screen))->transfer == MPM_APIC;
     return apic ? -1 : experiment_column(screen->experiment, "kinetic_null");
 }
 
@@ -102,7 +102,7 @@ static Stack stack_of(const Screen *screen)
     if (experiment_column(screen->experiment, "kinetic_grid") >= 0 || breaks(screen->experiment))
         add_layer(&stack, "dissipated", experiment_column(screen->experiment, "dissipated"), -1, STYLE_THIRD);
     /* on a tilted floor it has no least value */
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const Loads *loads = settings_loads(settings);
     if (loads->gravity > 0 && loads->incline == 0)
         add_layer(&stack, "potential", experiment_column(screen->experiment, "potential"), -1, STYLE_SECOND);
@@ -244,8 +244,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     /* what is kept is told once: the total as a share of the start would tell its ripple as well; the zero of
      * a potential is anywhere, so that a share of it says nothing */
     const bool known = experiment_invariant(screen->experiment, &sharp, &first) && first > 0;
-    const bool shared =
-        start[total] != 0 && settings_loads(experiment_settings(screen->experiment))->gravity == 0;
+    const bool shared = start[total] != 0 && settings_loads(screen_settings(screen))->gravity == 0;
     if (shared && !known) {
         const double share = now[total] / start[total];
         if (share > 100) /* a run that blows up */
@@ -345,7 +344,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     const Stack stack = stack_of(screen);
     const Record *record = stack.record;
-    const bool apart = simulation_has(experiment_simulation(screen->experiment), HAS_RELATIVE_ENERGY);
+    const bool apart = screen_has(screen, HAS_RELATIVE_ENERGY);
     const int work = apart ? -1 : experiment_column(screen->experiment, "work");
     double most = 0, most_work = 0;
     for (size_t i = 0; i < record->count; i += time_plot_stride(record)) {

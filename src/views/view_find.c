@@ -51,7 +51,7 @@ const View *view_at_home(PaneId home, const Simulation *sim)
 
 PaneId view_pane_of_number(const Screen *screen)
 {
-    const RunNumber *number = run_number_about(experiment_settings(screen->experiment));
+    const RunNumber *number = run_number_about(screen_settings(screen));
     /* a number of this moment is read off a curve along the body, one of the run off a curve over time */
     return number->of_moment ? PANE_UPPER : PANE_LOWER;
 }
@@ -134,7 +134,7 @@ static const View *open_named(Screen *screen, const char *name, PaneId home)
 {
     const View *view = view_of_name(name);
     if (!view || view_missing(view, screen))
-        return view_at_home(home, experiment_simulation(screen->experiment));
+        return view_at_home(home, screen_simulation(screen));
     const int variant = strchr(name, ':') ? variant_of_name(view, screen, name) : -1;
     if (variant >= 0)
         view_choose_variant(view, screen, variant);

@@ -32,7 +32,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         picture_say(picture, "cracks", "Memory is short: the cracks are not followed.");
         return;
     }
-    const double rayleigh = crack_rayleigh_speed(experiment_settings(screen->experiment));
+    const double rayleigh = crack_rayleigh_speed(screen_settings(screen));
     double most = speeds ? rayleigh : 0;
     for (int f = 0; f < fronts->count; f++) {
         const CrackFront *front = &fronts->fronts[f];
@@ -73,8 +73,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         }
     }
     beam_lines(screen, false, lines[0], lines[1]);
-    picture_note(picture, STYLE_NORMAL, lines[0]);
-    picture_note(picture, STYLE_NORMAL, lines[1])->joins = true;
+    picture_note(picture, STYLE_NORMAL, "%s", lines[0]);
+    picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
 }
 
 const View view_fronts = {

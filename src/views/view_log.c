@@ -71,7 +71,7 @@ static long step_of(const Screen *screen, const LogEntry *entry)
     if (entry->run != 'B')
         return entry->event->step;
     /* A's first step that is not before it: seen from there, it has happened */
-    const double steps = ceil(entry->time / experiment_simulation(screen->experiment)->dt - 1e-9);
+    const double steps = ceil(entry->time / screen_simulation(screen)->dt - 1e-9);
     const long last = experiment_last_step(screen->experiment);
     return steps < (double)last ? (long)steps : last;
 }
@@ -88,7 +88,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                  log.of_run[0] == 1 ? "" : "s", log.of_run[1]);
     else
         snprintf(text, sizeof text, "what happened: %d event%s", log.count, log.count == 1 ? "" : "s");
-    picture_heading(picture, text);
+    picture_heading(picture, "%s", text);
     const LogPlace *place = &screen->log;
     /* until one is chosen it is the newest: the list goes on with the run */
     const int newest = log.count > 0 ? log.count - 1 : 0;
@@ -97,8 +97,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     if (log.count == 0)
         picture_note(picture, STYLE_FAINT, "nothing out of the ordinary so far");
     if (log.beyond > 0) {
-        snprintf(text, sizeof text, "and %ld more events that are not kept", log.beyond);
-        picture_note(picture, STYLE_FAINT, text);
+        picture_note(picture, STYLE_FAINT, "and %ld more events that are not kept", log.beyond);
     }
     if (!list)
         return;

@@ -30,7 +30,7 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     int n, count = 0;
     const Column *columns = experiment_columns(screen->experiment, &n);
     const bool cracks = crack_variants(screen) > 0;
-    const bool breaks = simulation_has(experiment_simulation(screen->experiment), HAS_BREAKING);
+    const bool breaks = screen_has(screen, HAS_BREAKING);
     const int broken = experiment_column(screen->experiment, "broken_bonds"),
               speed = experiment_column(screen->experiment, "crack_speed");
     if (cracks && broken >= 0)
@@ -160,13 +160,13 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
     if (!readout->moving) {
         Finding findings[FINDINGS_MAX];
         const int n = references_findings(experiment_references(screen->experiment),
-                                          experiment_simulation(screen->experiment), findings);
+                                          screen_simulation(screen), findings);
         findings_text(findings, n, screen_shows_exact(screen) && !narrow, first, READOUT_TEXT);
         if (n == 0 && !readout->unjudged)
             snprintf(first, READOUT_TEXT, "nothing vibrates: no frequency to measure");
         return;
     }
-    const bool wrong = settings_mistake(experiment_settings(screen->experiment)) != NULL;
+    const bool wrong = settings_mistake(screen_settings(screen)) != NULL;
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const bool about = screen_is_running(screen) && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
@@ -316,7 +316,7 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
     overlay_widen(screen, quantity->name, false, &range.least, &range.most);
     range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
     if (has_envelope(screen, quantity->name)) {
-        const double end = settings_time(experiment_settings(screen->experiment))->end;
+        const double end = settings_time(screen_settings(screen))->end;
         const References *refs = experiment_references(screen->experiment);
         range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
                                              references_envelope(refs, quantity->name, end)));
@@ -342,7 +342,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         return;
     }
     if (column < 0) {
-        picture_say(picture, "over time", "");
+        picture_heading(picture, "over time");
         return;
     }
     const Quantity *quantity = &columns[column].quantity;

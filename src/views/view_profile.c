@@ -15,7 +15,7 @@
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    return profile_field(experiment_simulation(screen->experiment), variant);
+    return profile_field(screen_simulation(screen), variant);
 }
 
 /* A run's part of the picture: what is now, of a ghost what was last on screen. */
@@ -63,7 +63,7 @@ static Axis value_axis(const Screen *screen, const Simulation *sim, const char *
     if (strcmp(field, "damage") == 0)
         return axis_make(0, 1);
     if (strcmp(field, "density") == 0 && simulation_has(sim, HAS_LINE))
-        base = settings_material(experiment_settings(screen->experiment))->density;
+        base = settings_material(screen_settings(screen))->density;
     for (int k = 0; k < n_curves; k++) {
         const Profile *profile = curves[k].profile;
         if (!curves[k].run->experiment)
@@ -152,7 +152,7 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
         if (runs[i].ghost >= 0) {
             /* What a ghost's letter stands for: its moment, where it is another one than the present, and
              * what differs. */
-            const double dt = experiment_simulation(screen->experiment)->dt;
+            const double dt = screen_simulation(screen)->dt;
             char moment[48], word[RUN_WORD_MAX];
             if (fabs(runs[i].profile->time - experiment_time(screen->experiment)) >= 0.51 * dt) {
                 screen_time_text(screen, runs[i].profile->time, moment, sizeof moment);
@@ -178,23 +178,20 @@ static int variant_shown(const Screen *screen, int variant)
 {
     const Experiment *clock = screen_clock_run(screen);
     const bool at_start = experiment_step(clock) == 0 && experiment_stage(clock) == 0;
-    return variant == 0 && at_start && !screen_is_running(screen) &&
-                   simulation_has(experiment_simulation(screen->experiment), HAS_LINE)
-               ? 1
-               : variant;
+    return variant == 0 && at_start && !screen_is_running(screen) && screen_has(screen, HAS_LINE) ? 1
+                                                                                                  : variant;
 }
 
 static const char *curve(const Screen *screen)
 {
     const int variant = view_variant(&view_profile, screen);
-    const char *name =
-        profile_field(experiment_simulation(screen->experiment), variant_shown(screen, variant));
+    const char *name = profile_field(screen_simulation(screen), variant_shown(screen, variant));
     return name ? name : "";
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const char *name = profile_field(sim, variant_shown(screen, variant));
     ShownRun runs[RUNS_MAX];
     Curve curves[RUNS_MAX];
@@ -203,7 +200,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         if (open_curve(&curves[n_curves], &runs[i], name))
             n_curves++;
     if (n_curves == 0 || !curves[n_curves - 1].run->experiment) {
-        picture_say(picture, "profile", "");
+        picture_heading(picture, "profile");
         close_curves(curves, n_curves);
         return;
     }

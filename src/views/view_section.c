@@ -85,7 +85,7 @@ static double slope_of(const Section *section)
 
 static bool take_section(Section *section, const Screen *screen, const SectionPart *of)
 {
-    *section = (Section){.screen = screen, .of = of, .sim = experiment_simulation(screen->experiment)};
+    *section = (Section){.screen = screen, .of = of, .sim = screen_simulation(screen)};
     if (!body_of(section->sim, &section->body) || section->body.ny < 2 || section->body.nx < 2)
         return false;
     const size_t nx = (size_t)section->body.nx, count = section->body.count;
@@ -236,7 +236,7 @@ static void add_strokes(const Section *section, Plot *plot, bool theory)
 /* Those whose field there is, one after the other; NULL: no more. */
 static const SectionPart *part_of(const Screen *screen, int variant)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     for (int i = 0; i < PARTS; i++)
         if (simulation_find_field(sim, 0, parts[i].field) >= 0 && variant-- == 0)
             return &parts[i];
@@ -253,8 +253,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const SectionPart *part = part_of(screen, variant);
     Section section = {.y = NULL};
-    if (part && simulation_has(experiment_simulation(screen->experiment), HAS_PLANE) &&
-        take_section(&section, screen, part)) {
+    if (part && screen_has(screen, HAS_PLANE) && take_section(&section, screen, part)) {
         const SectionPart *of = section.of;
         const bool theory = screen_shows_exact(section.screen) && is_beam(section.screen);
         const bool several = section.columns > 1;
@@ -283,7 +282,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             picture_name(picture, pen_exact, section.known || !of->resultant ? of->theory : of->own);
         add_strokes(&section, &picture->plot, theory);
         section_line(&section, line);
-        picture_note(picture, STYLE_NORMAL, line);
+        picture_note(picture, STYLE_NORMAL, "%s", line);
     } else
         picture_say(picture, "section",
                     "A bar has no height: only a body in the plane has a section to look at.");

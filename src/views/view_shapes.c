@@ -11,7 +11,7 @@ enum { LINKS_MAX = 8, NEIGHBOURS = 3 };
 static const char *word_of(const Screen *screen, int variant)
 {
     static const char *const law[] = {"law", NULL}, *const mesh[] = {"values", "slopes", NULL}; /* N, N' */
-    return (simulation_has(experiment_simulation(screen->experiment), HAS_STRETCH) ? law : mesh)[variant];
+    return (screen_has(screen, HAS_STRETCH) ? law : mesh)[variant];
 }
 
 static double pick(const Link *link, bool slope)
@@ -55,7 +55,7 @@ static void add_curve(Picture *picture, const Simulation *sim, size_t node, bool
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     Link links[LINKS_MAX];
     if (simulation_has(sim, HAS_STRETCH)) {
         bond_law_describe(screen, picture);
@@ -68,7 +68,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const size_t n_links = is_line ? shapes_at(sim, simulation_value(sim, position, chosen), links) : 0;
     if (n_links == 0) {
         picture_say(
-            picture, "shape functions",
+            picture, "shape functions", "%s",
             simulation_has(sim, HAS_MESH)
                 ? "In the plane a shape function is the product of one along x and one along y, which "
                   "the bar shows; i writes them out for the chosen particle."

@@ -56,7 +56,7 @@ static const char *word_of(const Screen *screen, int variant)
  * the picture of all that a mesh does (`fast`), of a beam's height. */
 static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const Readout *readout = experiment_readout(screen->experiment);
     Overtone overtones[OVERTONES_MAX];
     int count = 0, n_overtones = 0;
@@ -89,14 +89,14 @@ static int marks_of(const Screen *screen, bool fast, Mark marks[MARKS_MAX])
 /* The highest frequency that the mesh can carry. */
 static double highest_of(const Screen *screen)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const double critical = screen_derived(screen, "dt_crit");
     ModeOnMesh mode;
     if (critical > 0)
         return 2 / critical;
     if (dispersion_mode(settings, dispersion_modes(settings), &mode))
         return mode.exact;
-    return M_PI / experiment_simulation(screen->experiment)->dt;
+    return M_PI / screen_simulation(screen)->dt;
 }
 
 /* --- the picture ---------------------------------------------------------------------------------- */
@@ -264,13 +264,13 @@ static void note_peaks(const Screen *screen, Picture *picture, const Scale *scal
         text_append(text, 160, "%s %s", i > 0 ? "," : "", text_fitted(peaks[i], 4, 8).text);
     text_append(text, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz",
                 text_fitted(bin, 2, 8).text);
-    snprintf(line, sizeof line, "%s%s", screen_is_shared(screen) ? "A " : "", text);
-    PictureNote *note = picture_note(picture, STYLE_NORMAL, line);
+    PictureNote *note =
+        picture_note(picture, STYLE_NORMAL, "%s%s", screen_is_shared(screen) ? "A " : "", text);
     line[strcspn(line, ";")] = '\0';
     snprintf(note->brief, sizeof note->brief, "%s", line);
     if (!fast || !screen_shows_predicted(screen) || !thickness_line(screen->experiment, PEAKS_MAX, text))
         return;
-    note = picture_note(picture, STYLE_FAINT, text);
+    note = picture_note(picture, STYLE_FAINT, "%s", text);
     thickness_line(screen->experiment, 2, note->brief);
 }
 
@@ -280,7 +280,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
     if (choice.column < 0) {
-        picture_say(picture, "spectrum", "");
+        picture_heading(picture, "spectrum");
         return;
     }
     const Quantity *quantity = &columns[choice.column].quantity;
@@ -295,7 +295,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     char name[64], text[160];
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
     if (wants_time(screen, scale.spectrum, choice, marks, n_marks, text)) {
-        picture_say(picture, name, text);
+        picture_say(picture, name, "%s", text);
         return;
     }
     const double range =

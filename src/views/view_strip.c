@@ -86,10 +86,8 @@ static void note_factor(const Strip *strip, const char *what, const char *moved)
 {
     const NumberText factor =
         simulation_has(strip->sim, HAS_LINE) ? text_rounded(strip->k, 3) : text_factor(strip->k);
-    char text[96];
-    snprintf(text, sizeof text, "%s%s + %s%s%s", screen_second_run(strip->screen) ? "A: " : "", what,
-             strip->k == 1 ? "" : factor.text, strip->k == 1 ? "" : " ", moved);
-    picture_note(strip->picture, STYLE_FAINT, text);
+    picture_note(strip->picture, STYLE_FAINT, "%s%s + %s%s%s", screen_second_run(strip->screen) ? "A: " : "",
+                 what, strip->k == 1 ? "" : factor.text, strip->k == 1 ? "" : " ", moved);
 }
 
 /* What the chosen one is linked with, as far as there is room; nothing where a method does not tell. */
@@ -269,7 +267,7 @@ static void describe_bar(Strip *strip, const double *x0)
                  row->pieces);
     else
         snprintf(text, sizeof text, "%ld cell%s", row->pieces, row->pieces == 1 ? "" : "s");
-    picture_note(bar.strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, flow ? flows[flow] : text);
+    picture_note(bar.strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, "%s", flow ? flows[flow] : text);
     note_factor(bar.strip, "particles at x0", "u");
 }
 
@@ -341,7 +339,7 @@ static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)
         snprintf(text, sizeof text, "bonds of particle %zu", row->strip->chosen);
     else
         snprintf(text, sizeof text, "%ld nodes, %ld bonds each", row->nodes, 2 * row->reach);
-    picture_note(row->strip->picture, pulls || mirrors ? STYLE_CHANGED : STYLE_FAINT, text);
+    picture_note(row->strip->picture, pulls || mirrors ? STYLE_CHANGED : STYLE_FAINT, "%s", text);
     note_factor(row->strip, "nodes at x0", "u");
 }
 
@@ -445,12 +443,11 @@ static void describe_beam(Strip *strip, const double *x, const double *y, const 
     for (size_t i = 0; i < strip->count; i++)
         if (damage[i] <= CRACK_DAMAGE)
             plot_point(plot, x[i] + strip->u[i], y[i] + strip->k * uy[i]);
-    snprintf(text, sizeof text, stretch < 0.95 ? "height drawn x %.2g" : "to scale", stretch);
-    picture_note(strip->picture, STYLE_FAINT, text);
+    picture_note(strip->picture, STYLE_FAINT, stretch < 0.95 ? "height drawn x %.2g" : "to scale", stretch);
     if (strip->k != 1)
         note_factor(strip, "at y0", "uy");
     else
-        picture_note(strip->picture, STYLE_FAINT,
+        picture_note(strip->picture, STYLE_FAINT, "%s",
                      screen_second_run(strip->screen) ? "A: drawn in place" : "drawn in place");
 }
 
@@ -458,7 +455,7 @@ static void describe_beam(Strip *strip, const double *x, const double *y, const 
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const bool line = simulation_has(sim, HAS_LINE);
     const int fields[] = {sim->displacement[0], sim->position[0], sim->position[1], sim->displacement[1],
                           simulation_find_field(sim, 0, "damage")};
@@ -477,7 +474,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         if (fields[f] >= 0)
             sim->method->field(sim, fields[f], 0, count, values + (size_t)f * count);
     if (!values || count == 0)
-        picture_say(picture, "", "");
+        picture->heading[0] = '\0';
     else if (!line)
         describe_beam(&strip, values + count, values + 2 * count, values + 3 * count, values + 4 * count);
     else if (simulation_has(sim, HAS_MESH))

@@ -12,7 +12,7 @@ enum { FIELDS_MAX = 48 };
 
 static int variants_of(const Screen *screen)
 {
-    return experiment_simulation(screen->experiment)->n_sets;
+    return screen_simulation(screen)->n_sets;
 }
 
 /* The fields of a set: those of its CSV table first, in their order, then the others. */
@@ -28,7 +28,7 @@ static int list_fields(const Simulation *sim, int set, int fields[FIELDS_MAX])
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const int set = variant < sim->n_sets ? variant : 0;
     const size_t count = sim->counts[set], wanted = set == 0 ? screen->chosen.particle : screen->chosen.node;
     int fields[FIELDS_MAX];
@@ -38,11 +38,9 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                                      : count > 0    ? count - 1
                                                     : 0,
                                      n_fields);
-    char text[96];
     const bool empty = set == 1 && simulation_has(sim, HAS_MESH) && experiment_stage(screen->experiment) == 0;
-    snprintf(text, sizeof text, "%s, %zu of them%s", sim->sets[set].plural, count,
-             empty ? ": no mass until stage 1" : "");
-    picture_heading(picture, text);
+    picture_heading(picture, "%s, %zu of them%s", sim->sets[set].plural, count,
+                    empty ? ": no mass until stage 1" : "");
     if (!list)
         return;
     snprintf(list->what, sizeof list->what, "%s", sim->sets[set].name);

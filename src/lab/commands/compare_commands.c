@@ -19,15 +19,15 @@ static bool is_second(const Laboratory *lab, const Settings *settings, const Par
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 void command_question(Laboratory *lab)
 {
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     const Settings before = settings;
     const Parameter *parameter = settings_question(&settings);
     Status status = {STATUS_DONE, ""};
     if (!parameter || !settings_answer_otherwise(&settings, parameter))
-        laboratory_say(lab, MESSAGE_INFO, "this scenario asks no question");
+        laboratory_tell(lab, "this scenario asks no question");
     else if (is_second(lab, &settings, parameter) &&
              (!settings_nudge(&settings, parameter, 1, false) || settings_same(&before, &settings)))
-        laboratory_say(lab, MESSAGE_INFO, "both answers are on screen already; d ends the duel");
+        laboratory_tell(lab, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (lab->message.kind == MESSAGE_NONE) {
@@ -40,8 +40,8 @@ void command_question(Laboratory *lab)
         for (int i = 0; i < GHOSTS_MAX; i++)
             if (ghosts[i].used && !ghosts[i].pinned)
                 snprintf(ghost, sizeof ghost, "; %c: before", ghosts[i].letter);
-        laboratory_say(lab, MESSAGE_INFO, "%s%s %.60s -> %.60s, from t = 0 on%s",
-                       lab->player.duel.b ? "A: " : "", parameter->label, from, to, ghost);
+        laboratory_tell(lab, "%s%s %.60s -> %.60s, from t = 0 on%s", lab->player.duel.b ? "A: " : "",
+                        parameter->label, from, to, ghost);
     }
 }
 
@@ -61,9 +61,9 @@ void command_pin(Laboratory *lab)
     if (!experiment_pin(laboratory_run(lab), &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (pinned(laboratory_run(lab)) > had)
-        laboratory_say(lab, MESSAGE_INFO, "these curves stay as a ghost; c again takes them away");
+        laboratory_tell(lab, "these curves stay as a ghost; c again takes them away");
     else
-        laboratory_say(lab, MESSAGE_INFO, "the ghost of these curves is gone");
+        laboratory_tell(lab, "the ghost of these curves is gone");
 }
 
 static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings *to, int *n_to,
@@ -71,22 +71,22 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
 {
     Status status = {STATUS_DONE, ""};
     if (*n_from == 0) {
-        laboratory_say(lab, MESSAGE_INFO, "%s", none);
+        laboratory_tell(lab, "%s", none);
         return;
     }
-    Settings old = *experiment_settings(laboratory_run(lab));
+    Settings old = *laboratory_settings(lab);
     if (!edit_change_runs(lab, &from[*n_from - 1], experiment_replace, &status)) {
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
     char change[160];
-    settings_name_change(&old, experiment_settings(laboratory_run(lab)), change, sizeof change);
+    settings_name_change(&old, laboratory_settings(lab), change, sizeof change);
     to[(*n_to)++] = old;
     --*n_from;
     edit_changed(lab);
     player_tell_duel_over(lab, &status);
     if (lab->message.kind == MESSAGE_NONE)
-        laboratory_say(lab, MESSAGE_INFO, "%s: %s", done, change);
+        laboratory_tell(lab, "%s: %s", done, change);
 }
 
 void command_undo(Laboratory *lab)
@@ -117,7 +117,7 @@ static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *s
 
 void command_second_open(Laboratory *lab)
 {
-    const Settings *settings = experiment_settings(laboratory_run(lab));
+    const Settings *settings = laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
     if (settings->n_duel > 0 && !begin(lab, settings->duel, settings->n_duel, &status))
         laboratory_say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
@@ -130,19 +130,19 @@ bool command_second_answer(Laboratory *lab, const char *words)
     const int n_keys = duel_read_keys(words, keys, &status);
     for (int i = 0; i < n_keys; i++) {
         const Assignment typed = keys[i];
-        if (!settings_resolve_key(experiment_settings(laboratory_run(lab)), typed.key, keys[i].key, &status))
-            return prompt_refuse(&lab->prompting, status.text);
+        if (!settings_resolve_key(laboratory_settings(lab), typed.key, keys[i].key, &status))
+            return prompt_refuse(lab, "%s", status.text);
     }
     if (n_keys == 0)
-        return prompt_refuse(&lab->prompting, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
-    return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || prompt_refuse(&lab->prompting, status.text);
+        return prompt_refuse(lab, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
+    return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || prompt_refuse(lab, "%s", status.text);
 }
 
 static void suggest(Laboratory *lab, int direction)
 {
     const int to = lab->prompting.suggestion + direction;
     Assignment keys[DUEL_MAX];
-    if (to < 0 || duel_suggest(experiment_settings(laboratory_run(lab)), to, keys) == 0)
+    if (to < 0 || duel_suggest(laboratory_settings(lab), to, keys) == 0)
         return;
     lab->prompting.suggestion = to;
     char text[sizeof lab->prompting.shown.text];
@@ -163,14 +163,14 @@ static const Typing typing = {.key = duel_key, .offer = complete_assignments};
 void command_second_toggle(Laboratory *lab)
 {
     Duel *duel = &lab->player.duel;
-    const Settings *settings = experiment_settings(laboratory_run(lab));
+    const Settings *settings = laboratory_settings(lab);
     Assignment keys[DUEL_MAX];
     char text[sizeof lab->prompting.shown.text];
     if (duel->b) {
         duel_end(duel);
         player_forget_rates(&lab->player);
         player_settle(lab);
-        laboratory_say(lab, MESSAGE_INFO, "the duel is over: the curve of B stays until the next change");
+        laboratory_tell(lab, "the duel is over: the curve of B stays until the next change");
         return;
     }
     if (settings->n_duel > 0) {
@@ -181,7 +181,7 @@ void command_second_toggle(Laboratory *lab)
     lab->prompting.suggestion = duel->n_keys > 0 ? -1 : 0;
     const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
-    prompt_ask(&lab->prompting, command_second_answer, false, text, "in B is");
+    prompt_ask(lab, command_second_answer, false, text, "in B is");
     lab->prompting.typing = &typing;
     snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint,
              "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");

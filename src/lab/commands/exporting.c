@@ -177,7 +177,7 @@ static bool export_named(Laboratory *lab, const char *text)
     if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
         length -= 4;
     if (length == 0)
-        return prompt_refuse(&lab->prompting, "a name is wanted");
+        return prompt_refuse(lab, "a name is wanted");
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
     memcpy(lab->exporting.name, name, sizeof name);
     file_names(&lab->player.duel, 0, name, paths);
@@ -185,7 +185,7 @@ static bool export_named(Laboratory *lab, const char *text)
         return false;
     find_existing(&lab->player.duel, lab->exporting.name, found);
     if (found[0])
-        prompt_ask_replace(&lab->prompting, answer_replace, found);
+        prompt_ask_replace(lab, answer_replace, found);
     else
         write_export(lab, false);
     return true;
@@ -229,8 +229,7 @@ static void ask_name(Laboratory *lab)
     const long rows = series_rows(lab);
     const double megabytes = series_bytes(lab) / 1e6;
     default_name(lab, name);
-    prompt_ask(&lab->prompting, export_named, false, name, "export %ld row%s, %.*f MB, as", rows,
-               rows == 1 ? "" : "s",
+    prompt_ask(lab, export_named, false, name, "export %ld row%s, %.*f MB, as", rows, rows == 1 ? "" : "s",
                megabytes < 0.1  ? 3
                : megabytes < 10 ? 1
                                 : 0,
@@ -244,14 +243,14 @@ static void ask_name(Laboratory *lab)
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
                  "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
-                 SPREADSHEET_ROWS, every * settings_output(experiment_settings(laboratory_run(lab)))->every);
+                 SPREADSHEET_ROWS, every * settings_output(laboratory_settings(lab))->every);
 }
 
 static bool answer_which(Laboratory *lab, const char *text)
 {
     lab->exporting.newest = strcmp(text, "newest") == 0;
     if (!lab->exporting.newest && strcmp(text, "here") != 0)
-        return prompt_refuse(&lab->prompting, "here or newest");
+        return prompt_refuse(lab, "here or newest");
     if (lab->exporting.name[0])
         return export_named(lab, lab->exporting.name);
     ask_name(lab);
@@ -265,14 +264,14 @@ static const char computing[] = "wait until the run has come to its time, or can
 static bool answer_in_vain(Laboratory *lab, const char *text)
 {
     (void)text;
-    return prompt_refuse(&lab->prompting,
+    return prompt_refuse(lab, "%s",
                          lab->player.playback.state == STATE_COMPUTING ? computing : nothing_computed);
 }
 
 static void refuse(Laboratory *lab, const char *why)
 {
     Prompt *prompt = &lab->prompting.shown;
-    prompt_ask(&lab->prompting, answer_in_vain, false, "", "export as");
+    prompt_ask(lab, answer_in_vain, false, "", "export as");
     snprintf(prompt->hint, sizeof prompt->hint, "%s", why);
 }
 
@@ -290,7 +289,7 @@ bool exporting_ask(Laboratory *lab, const char *name)
     if (!inside && experiment_newest(experiment) == 0)
         refuse(lab, nothing_computed);
     else if (!inside && experiment_step(experiment) < experiment_newest(experiment))
-        prompt_ask(&lab->prompting, answer_which, false, "newest", "export to here or to the newest time?");
+        prompt_ask(lab, answer_which, false, "newest", "export to here or to the newest time?");
     else if (name[0])
         return export_named(lab, name);
     else
@@ -310,7 +309,7 @@ static bool write_figure(Laboratory *lab, bool force)
     if (!exporting_allowed(lab, lab->exporting.name))
         return true;
     if (!laboratory_work(lab, "drawing %s", lab->exporting.name)) { /* a large map takes a moment */
-        laboratory_say(lab, MESSAGE_INFO, "cancelled");
+        laboratory_tell(lab, "cancelled");
         return true;
     }
     figure_open(&figure, 0, 0);
@@ -322,8 +321,7 @@ static bool write_figure(Laboratory *lab, bool force)
         return true;
     }
     char *whole = realpath(lab->exporting.name, NULL);
-    laboratory_say(lab, MESSAGE_INFO, "wrote %s: the view %s", whole ? whole : lab->exporting.name,
-                   view->word);
+    laboratory_tell(lab, "wrote %s: the view %s", whole ? whole : lab->exporting.name, view->word);
     free(whole);
     return true;
 }
@@ -359,26 +357,25 @@ bool exporting_figure(Laboratory *lab, const char *words)
     const char *file = words;
     const View *view = take_view(screen, &file);
     if (!*file)
-        return prompt_refuse(&lab->prompting, "a file is wanted: FILE.svg, FILE.pdf or FILE.png");
+        return prompt_refuse(lab, "a file is wanted: FILE.svg, FILE.pdf or FILE.png");
     if (!figure_allowed(file, &status))
-        return prompt_refuse(&lab->prompting, status.text);
+        return prompt_refuse(lab, "%s", status.text);
     if (!exporting_name_fits(lab, file))
         return false;
     if (view_missing(view, screen))
-        return prompt_refuse(&lab->prompting, view_missing(view, screen));
+        return prompt_refuse(lab, "%s", view_missing(view, screen));
     player_pause(lab);
     if (lab->player.playback.state == STATE_COMPUTING)
-        return prompt_refuse(&lab->prompting, "wait until the run has come to its time, or cancel with Esc");
+        return prompt_refuse(lab, "wait until the run has come to its time, or cancel with Esc");
     if (!view_makes_figure(view, screen))
-        return prompt_refuse(&lab->prompting,
-                             "this view makes no figure: name another, as in figure probe probe.svg");
+        return prompt_refuse(lab, "this view makes no figure: name another, as in figure probe probe.svg");
     char name[NAME_MAX_BYTES];
     snprintf(name, sizeof name, "%s", file); /* the text may be the name already */
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
     lab->exporting.view = view;
     if (access(name, F_OK) != 0)
         return write_figure(lab, false);
-    prompt_ask_replace(&lab->prompting, answer_replace_figure, name);
+    prompt_ask_replace(lab, answer_replace_figure, name);
     return true;
 }
 
@@ -389,14 +386,14 @@ bool exporting_allowed(Laboratory *lab, const char *name)
     Status status = {STATUS_DONE, ""};
     if (output_allowed(lab->asker, name, &status))
         return true;
-    laboratory_say(lab, MESSAGE_INFO, "%s", status.text);
+    laboratory_tell(lab, "%s", status.text);
     return false;
 }
 
 bool exporting_name_fits(Laboratory *lab, const char *name)
 {
     Status status = {STATUS_DONE, ""};
-    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(&lab->prompting, status.text);
+    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
@@ -422,7 +419,7 @@ static bool write_scenario(Laboratory *lab, const char *name)
     else {
         char word[sizeof lab->message.text] = "";
         text_append_shell(word, sizeof word, name);
-        laboratory_say(lab, MESSAGE_INFO, "wrote %s; open it with: matvib %s", name, word);
+        laboratory_tell(lab, "wrote %s; open it with: matvib %s", name, word);
     }
     return true;
 }
@@ -436,13 +433,13 @@ static bool answer_replace_scenario(Laboratory *lab, const char *text)
 bool exporting_scenario(Laboratory *lab, const char *text)
 {
     if (!text[0] || output_is_standard(text))
-        return prompt_refuse(&lab->prompting, "a file name is wanted");
+        return prompt_refuse(lab, "a file name is wanted");
     if (!exporting_name_fits(lab, text))
         return false;
     if (access(text, F_OK) != 0 || output_is_direct(text))
         return write_scenario(lab, text);
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", text);
-    prompt_ask_replace(&lab->prompting, answer_replace_scenario, text);
+    prompt_ask_replace(lab, answer_replace_scenario, text);
     return true;
 }
 
@@ -452,6 +449,6 @@ void exporting_scenario_ask(Laboratory *lab)
 {
     char name[NAME_MAX_BYTES];
     snprintf(name, sizeof name, "%.200s%s", lab->scenario, strchr(lab->scenario, '.') ? "" : ".ini");
-    prompt_ask(&lab->prompting, exporting_scenario, false, name, "write scenario to");
+    prompt_ask(lab, exporting_scenario, false, name, "write scenario to");
     lab->prompting.typing = &file_typing;
 }

@@ -77,8 +77,8 @@ static void move(Laboratory *lab, int x, int y, int page)
     } else if (view && view->has_time_axis) {
         move_cursor(lab, x ? x : y * page);
     } else if (x || page > 1) {
-        screen->chosen.is_node &= simulation_has(experiment_simulation(laboratory_run(lab)), HAS_MESH);
-        selection_next(&screen->chosen, experiment_simulation(laboratory_run(lab)), x ? x : y, (size_t)page);
+        screen->chosen.is_node &= simulation_has(laboratory_simulation(lab), HAS_MESH);
+        selection_next(&screen->chosen, laboratory_simulation(lab), x ? x : y, (size_t)page);
     } else {
         inspector_choose_across(screen, y < 0);
     }
@@ -140,7 +140,7 @@ void command_enter(Laboratory *lab)
         row_edit_begin(lab);
     } else if (view && view->has_time_axis && !isnan(screen->time.cursor)) {
         player_pause(lab);
-        player_seek(lab, lround(screen->time.cursor / experiment_simulation(laboratory_run(lab))->dt), 0);
+        player_seek(lab, lround(screen->time.cursor / laboratory_simulation(lab)->dt), 0);
         screen->time.cursor = NAN;
     } else if (!(view && view->is_list && enter_row(lab, view)) && lesson_entry_page(lab)) {
         lesson_play_enter(lab);
@@ -170,7 +170,7 @@ void command_inspect(Laboratory *lab)
     if (screen->panes.inspecting) {
         command_close_inspector(&lab->screen);
     } else if (!inspector_find(screen)) {
-        laboratory_say(lab, MESSAGE_INFO, "there is no inspector for this method");
+        laboratory_tell(lab, "there is no inspector for this method");
     } else {
         screen->panes.inspecting = true;
         screen->panes.before_inspector = screen->panes.focus;
@@ -219,7 +219,7 @@ void command_cancel(Laboratory *lab)
 /* The crack's tip is what there is to see of a beam that cracks; else the chosen node. */
 static void look_at_something(Screen *screen)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const double *row = experiment_row(screen->experiment);
     int count, x = -1, y = -1;
     const Column *columns = experiment_columns(screen->experiment, &count);
@@ -232,7 +232,7 @@ static void look_at_something(Screen *screen)
         screen->eye.centre[1] = row[y] / settings_geometry(settings)->height;
     } else {
         /* The place of a node as shares of the beam's length and height. */
-        const Simulation *simulation = experiment_simulation(screen->experiment);
+        const Simulation *simulation = screen_simulation(screen);
         const size_t nx = simulation->columns, ny = simulation->rows;
         screen->eye.centre[0] = ((double)(screen->chosen.particle % nx) + 0.5) / (double)nx;
         screen->eye.centre[1] = ((double)(screen->chosen.particle / nx) + 0.5) / (double)ny;
@@ -252,14 +252,14 @@ void command_map_whole(Screen *screen)
 
 void command_map_magnify(Screen *screen, int direction)
 {
-    const double most = fmax(FIRST_MAGNIFIED, (double)experiment_simulation(screen->experiment)->columns / 4);
+    const double most = fmax(FIRST_MAGNIFIED, (double)screen_simulation(screen)->columns / 4);
     const double wanted = direction > 0 ? 2 * screen->eye.magnified : screen->eye.magnified / 2;
     screen->eye.magnified = limited(wanted, 1, ldexp(1, (int)ceil(math_log2(most))));
 }
 
 void command_map_pan(Screen *screen, int x, int y)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const double stride = STRIDE / screen->eye.magnified;
     screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
     /* a pane is not as high as it is wide */
@@ -271,9 +271,9 @@ void command_map_pan(Screen *screen, int x, int y)
 void command_map_zoom(Laboratory *lab)
 {
     Screen *screen = &lab->screen;
-    if (!simulation_has_map(experiment_simulation(laboratory_run(lab)))) {
-        laboratory_say(lab, MESSAGE_INFO,
-                       "Z magnifies the map of a beam or plate; n and N change the time window of a plot");
+    if (!simulation_has_map(laboratory_simulation(lab))) {
+        laboratory_tell(lab,
+                        "Z magnifies the map of a beam or plate; n and N change the time window of a plot");
         return;
     }
     if (screen->eye.open) {
@@ -292,10 +292,10 @@ bool command_answer_magnify(Laboratory *lab, const char *text)
 {
     Screen *screen = &lab->screen;
     double times;
-    if (!simulation_has_map(experiment_simulation(laboratory_run(lab))))
-        return prompt_refuse(&lab->prompting, "there is no map of a bar (only of a beam or plate)");
+    if (!simulation_has_map(laboratory_simulation(lab)))
+        return prompt_refuse(lab, "there is no map of a bar (only of a beam or plate)");
     if (!text_to_double(text, &times) || !(times >= 1 && times <= MOST_MAGNIFIED))
-        return prompt_refuse(&lab->prompting, "a number from 1 to 1024, as in 16");
+        return prompt_refuse(lab, "a number from 1 to 1024, as in 16");
     if (!screen->views.upper->is_map && !screen->views.lower->is_map)
         screen->views.upper = view_of_map();
     command_map_whole(screen);
@@ -307,7 +307,7 @@ bool command_answer_magnify(Laboratory *lab, const char *text)
 
 bool command_map_is_focused(const Screen *screen)
 {
-    return simulation_has_map(experiment_simulation(screen->experiment)) &&
+    return simulation_has_map(screen_simulation(screen)) &&
            ((screen->panes.focus == PANE_UPPER && screen->views.upper->is_map) ||
             (screen->panes.focus == PANE_LOWER && screen->views.lower->is_map));
 }
@@ -316,7 +316,7 @@ bool command_map_is_focused(const Screen *screen)
 void command_map_enlarge(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     const double now = view_map_enlargement(screen, lab->width, lab->height);
     Status status = {STATUS_DONE, ""};
     if (direction == 0)
@@ -327,8 +327,8 @@ void command_map_enlarge(Laboratory *lab, int direction)
     if (!experiment_edit(laboratory_run(lab), &settings, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (direction == 0)
-        laboratory_say(lab, MESSAGE_INFO, "displacements are drawn as large as the pane allows");
+        laboratory_tell(lab, "displacements are drawn as large as the pane allows");
     else
-        laboratory_say(lab, MESSAGE_INFO, "displacements are drawn x %s (a: as the pane allows)",
-                       settings_view(&settings)->exaggeration);
+        laboratory_tell(lab, "displacements are drawn x %s (a: as the pane allows)",
+                        settings_view(&settings)->exaggeration);
 }

@@ -18,8 +18,7 @@ void command_filter(Laboratory *lab)
     if (lab->screen.panes.inspecting)
         command_close_inspector(&lab->screen);
     lab->screen.panes.focus = PANE_PARAMETERS;
-    prompt_ask(&lab->prompting, edit_answer_filter, false, lab->parameters.filter,
-               "parameters whose name holds");
+    prompt_ask(lab, edit_answer_filter, false, lab->parameters.filter, "parameters whose name holds");
 }
 
 void command_help_pages(Laboratory *lab)
@@ -39,7 +38,7 @@ static bool quit_key(Laboratory *lab, const char *key)
 {
     if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
         return false;
-    prompt_refuse(&lab->prompting, "y leaves, n stays"); /* Enter or Esc is no clear answer, and the keys
+    prompt_refuse(lab, "y leaves, n stays"); /* Enter or Esc is no clear answer, and the keys
                                                             behind it must not become commands */
     return true;
 }
@@ -54,15 +53,14 @@ void command_quit(Laboratory *lab)
         lab->closed = true;
         return;
     }
-    prompt_ask(&lab->prompting, answer_quit, true, "",
-               "parameters were changed and nothing was exported: leave?");
+    prompt_ask(lab, answer_quit, true, "", "parameters were changed and nothing was exported: leave?");
     lab->prompting.typing = &quit_typing;
 }
 
 void command_interrupt(Laboratory *lab)
 {
     if (lesson_entry_cancel(lab))
-        laboratory_say(lab, MESSAGE_INFO, "cancelled");
+        laboratory_tell(lab, "cancelled");
     else if (lab->prompting.shown.open && lab->prompting.answer == answer_quit)
         lab->closed = true; /* pressed twice it needs no answer */
     else if (!refining_stop(lab) && !command_close_top(lab))

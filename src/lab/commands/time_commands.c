@@ -43,7 +43,7 @@ static void run_again(Laboratory *lab)
         begin_again(lab, true);
         return;
     }
-    prompt_ask(&lab->prompting, answer_again, true, "", "run again from t = 0? it takes about %s s",
+    prompt_ask(lab, answer_again, true, "", "run again from t = 0? it takes about %s s",
                text_rounded(seconds, 2).text);
 }
 
@@ -54,8 +54,7 @@ void command_run_or_pause(Laboratory *lab)
     else if (lab->player.playback.state == STATE_ENDED)
         run_again(lab);
     else if (lab->player.playback.state == STATE_FAILED)
-        laboratory_say(lab, MESSAGE_INFO,
-                       "the run cannot go on: change a parameter, step back, or r to begin again");
+        laboratory_tell(lab, "the run cannot go on: change a parameter, step back, or r to begin again");
     else if (lab->player.playback.state == STATE_COMPUTING)
         /* on the way to another place the key says what comes then */
         lab->player.resume = lab->player.resume == STATE_RUNNING ? STATE_PAUSED : STATE_RUNNING;
@@ -79,9 +78,9 @@ void command_step(Laboratory *lab, int steps)
     if (steps < 0 && stage > 0)
         steps++;
     if (steps < 0 && step == 0 && stage == 0)
-        laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
+        laboratory_tell(lab, "this is t = 0");
     else if (steps > 0 && step >= experiment_last_step(laboratory_run(lab)))
-        laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
+        laboratory_tell(lab, "this is the end of the run");
     else
         player_seek(lab, step + steps, 0);
 }
@@ -94,7 +93,7 @@ void command_stage_forward(Laboratory *lab)
     player_place(lab, &step, &stage);
     player_pause(lab);
     if (experiment_at_end(experiment)) {
-        laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
+        laboratory_tell(lab, "this is the end of the run");
         return;
     }
     if (lab->player.playback.state == STATE_COMPUTING) {
@@ -109,8 +108,8 @@ void command_stage_forward(Laboratory *lab)
     if (status.text[0])
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else if (lab->player.duel.b && experiment_stage(experiment) == 1)
-        laboratory_say(lab, MESSAGE_INFO, "A goes by stages; B waits at its step %ld, before A's step ends",
-                       experiment_step(lab->player.duel.b));
+        laboratory_tell(lab, "A goes by stages; B waits at its step %ld, before A's step ends",
+                        experiment_step(lab->player.duel.b));
 }
 
 void command_stage_back(Laboratory *lab)
@@ -122,9 +121,9 @@ void command_stage_back(Laboratory *lab)
     if (stage > 0)
         player_seek(lab, step, stage - 1);
     else if (step > 0)
-        player_seek(lab, step - 1, experiment_simulation(laboratory_run(lab))->n_stages - 1);
+        player_seek(lab, step - 1, laboratory_simulation(lab)->n_stages - 1);
     else
-        laboratory_say(lab, MESSAGE_INFO, "this is t = 0");
+        laboratory_tell(lab, "this is t = 0");
 }
 
 void command_pace(Laboratory *lab, int direction)
@@ -140,7 +139,7 @@ void command_pace(Laboratory *lab, int direction)
         int *frames = &lab->player.slow_frames;
         const int wanted = direction > 0 ? *frames / 2 : *frames * 2;
         *frames = wanted < LEAST ? LEAST : wanted > MOST ? MOST : wanted;
-        laboratory_say(lab, MESSAGE_INFO, "a stage every %.2g s", (double)*frames / FRAMES_PER_SECOND);
+        laboratory_tell(lab, "a stage every %.2g s", (double)*frames / FRAMES_PER_SECOND);
         return;
     }
     double pace = player_next_125(lab->player.playback.pace, direction);
@@ -152,9 +151,9 @@ void command_pace(Laboratory *lab, int direction)
     lab->player.pace_automatic = false;
     lab->player.owed = 0;
     if (pace >= 1)
-        laboratory_say(lab, MESSAGE_INFO, "%g steps a frame", pace);
+        laboratory_tell(lab, "%g steps a frame", pace);
     else
-        laboratory_say(lab, MESSAGE_INFO, "a step every %g frames", round(1 / pace));
+        laboratory_tell(lab, "a step every %g frames", round(1 / pace));
 }
 
 void command_to_start(Laboratory *lab)
@@ -172,24 +171,21 @@ void command_to_newest(Laboratory *lab)
 bool command_answer_go_to(Laboratory *lab, const char *text)
 {
     long step = 0;
-    double time = 0, dt = experiment_simulation(laboratory_run(lab))->dt;
+    double time = 0, dt = laboratory_simulation(lab)->dt;
     long last = experiment_last_step(laboratory_run(lab));
     if (text[0] == '#') {
         if (!text_to_long(text + 1, &step))
-            return prompt_refuse(&lab->prompting, "after # comes the number of a step, as in #1000");
+            return prompt_refuse(lab, "after # comes the number of a step, as in #1000");
     } else if (stop_read_time(text, laboratory_run(lab), &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
         /* the last step may end a little before time.end; who types that means the end */
-        if (time > (double)last * dt &&
-            time <= settings_time(experiment_settings(laboratory_run(lab)))->end * (1 + 1e-9))
+        if (time > (double)last * dt && time <= settings_time(laboratory_settings(lab))->end * (1 + 1e-9))
             step = last;
     } else
-        return prompt_refuse(&lab->prompting, "a time, as in 12.5, or a step, as in #1000");
+        return prompt_refuse(lab, "a time, as in 12.5, or a step, as in #1000");
     if (step < 0 || step > last) {
-        char why[120];
-        snprintf(why, sizeof why, "the run goes from 0 to %s (#0 to #%ld)",
-                 text_rounded((double)last * dt, 6).text, last);
-        return prompt_refuse(&lab->prompting, why);
+        return prompt_refuse(lab, "the run goes from 0 to %s (#0 to #%ld)",
+                             text_rounded((double)last * dt, 6).text, last);
     }
     player_pause(lab);
     player_seek(lab, step, 0);
@@ -198,7 +194,7 @@ bool command_answer_go_to(Laboratory *lab, const char *text)
 
 void command_go_to(Laboratory *lab)
 {
-    prompt_ask(&lab->prompting, command_answer_go_to, false, "", "go to time (or #step)");
+    prompt_ask(lab, command_answer_go_to, false, "", "go to time (or #step)");
 }
 
 void command_restart(Laboratory *lab)
@@ -237,16 +233,14 @@ void command_bookmark(Laboratory *lab)
     if (is_bookmark(screen, at, step, stage)) {
         memmove(place, place + 1, (after - 1) * sizeof *place);
         lab->player.bookmarks.count--;
-        laboratory_say(lab, MESSAGE_INFO, "the bookmark at step %ld is gone", step);
+        laboratory_tell(lab, "the bookmark at step %ld is gone", step);
     } else if (lab->player.bookmarks.count == BOOKMARKS_MAX) {
-        laboratory_say(lab, MESSAGE_INFO, "there is room for %d bookmarks: m on one of them takes it away",
-                       BOOKMARKS_MAX);
+        laboratory_tell(lab, "there is room for %d bookmarks: m on one of them takes it away", BOOKMARKS_MAX);
     } else {
         memmove(place + 1, place, after * sizeof *place);
-        *place = (Bookmark){(double)step * experiment_simulation(laboratory_run(lab))->dt, stage};
+        *place = (Bookmark){(double)step * laboratory_simulation(lab)->dt, stage};
         lab->player.bookmarks.count++;
-        laboratory_say(lab, MESSAGE_INFO, "bookmark at step %ld: ' comes back here, m again takes it away",
-                       step);
+        laboratory_tell(lab, "bookmark at step %ld: ' comes back here, m again takes it away", step);
     }
 }
 
@@ -254,11 +248,11 @@ void command_bookmark(Laboratory *lab)
 void command_jump(Laboratory *lab)
 {
     const Screen *screen = &lab->screen;
-    const int n_stages = experiment_simulation(laboratory_run(lab))->n_stages;
+    const int n_stages = laboratory_simulation(lab)->n_stages;
     long step;
     int stage;
     if (lab->player.bookmarks.count == 0) {
-        laboratory_say(lab, MESSAGE_INFO, "no bookmark yet: m sets one");
+        laboratory_tell(lab, "no bookmark yet: m sets one");
         return;
     }
     player_place(lab, &step, &stage);
@@ -269,5 +263,5 @@ void command_jump(Laboratory *lab)
     player_pause(lab);
     player_seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
     if (lab->player.bookmarks.count > 1)
-        laboratory_say(lab, MESSAGE_INFO, "bookmark %d of %d", at + 1, lab->player.bookmarks.count);
+        laboratory_tell(lab, "bookmark %d of %d", at + 1, lab->player.bookmarks.count);
 }

@@ -29,7 +29,7 @@ static bool go_to_first(Laboratory *lab, const Stop *stop)
         if (stop->events >> events[i].kind & 1) {
             player_pause(lab);
             player_seek(lab, events[i].step, 0);
-            laboratory_say(lab, MESSAGE_INFO, "step %ld: %s", events[i].step, events[i].text);
+            laboratory_tell(lab, "step %ld: %s", events[i].step, events[i].text);
             return true;
         }
     return false;
@@ -42,16 +42,16 @@ bool command_answer_until(Laboratory *lab, const char *text)
     Stop stop = {.kind = STOP_NEVER};
     Status status = {STATUS_DONE, ""};
     if (!*text) {
-        laboratory_say(lab, MESSAGE_INFO,
-                       lab->player.playback.until[0] ? "the run does not stop at %s any more"
-                                                     : "until what? as in until t 2.5, until crossing",
-                       lab->player.playback.until);
+        laboratory_tell(lab,
+                        lab->player.playback.until[0] ? "the run does not stop at %s any more"
+                                                      : "until what? as in until t 2.5, until crossing",
+                        lab->player.playback.until);
         player_stop_at(lab, &stop);
         return true;
     }
     text += first ? 6 + strspn(text + 6, " ") : 0;
     if (!stop_read(&stop, text, experiment, &status))
-        return prompt_refuse(&lab->prompting, status.text);
+        return prompt_refuse(lab, "%s", status.text);
     if (first && go_to_first(lab, &stop))
         return true;
     const long step = stop_step(&stop, experiment);
@@ -59,7 +59,7 @@ bool command_answer_until(Laboratory *lab, const char *text)
         player_pause(lab);
         player_seek(lab, step, 0);
     } else if (experiment_at_end(experiment) || lab->player.playback.state == STATE_FAILED)
-        return prompt_refuse(&lab->prompting, "the run is at its end: r begins it again");
+        return prompt_refuse(lab, "the run is at its end: r begins it again");
     else
         run_to(lab, &stop);
     return true;
@@ -73,7 +73,7 @@ static void go_to_event(Laboratory *lab, const Event *events, int at, int count)
     const long step = events[at].step;
     player_pause(lab);
     player_seek(lab, step, 0);
-    laboratory_say(lab, MESSAGE_INFO, "event %d of %d: %s", at + 1, count, events[at].text);
+    laboratory_tell(lab, "event %d of %d: %s", at + 1, count, events[at].text);
 }
 
 bool command_answer_event(Laboratory *lab, const char *text)
@@ -87,7 +87,7 @@ bool command_answer_event(Laboratory *lab, const char *text)
         return true;
     }
     snprintf(why, sizeof why, "which event? (1 to %d so far; :until event runs on to the next)", count);
-    return prompt_refuse(&lab->prompting, count > 0 ? why : "no event so far; :until event runs on to one");
+    return prompt_refuse(lab, "%s", count > 0 ? why : "no event so far; :until event runs on to one");
 }
 
 void command_next_event(Laboratory *lab)
@@ -105,9 +105,9 @@ void command_next_event(Laboratory *lab)
     Stop stop;
     Status status = {STATUS_DONE, ""};
     if (step >= experiment_last_step(laboratory_run(lab)) || lab->player.playback.state == STATE_FAILED)
-        laboratory_say(lab, MESSAGE_INFO, "there is no event after this one");
+        laboratory_tell(lab, "there is no event after this one");
     else if (!stop_read(&stop, "event", laboratory_run(lab), &status))
-        laboratory_say(lab, MESSAGE_INFO, "%s", status.text);
+        laboratory_tell(lab, "%s", status.text);
     else
         run_to(lab, &stop);
 }
@@ -124,7 +124,7 @@ void command_previous_event(Laboratory *lab)
     if (at >= 0)
         go_to_event(lab, events, at, count);
     else
-        laboratory_say(lab, MESSAGE_INFO, "there is no event before this time");
+        laboratory_tell(lab, "there is no event before this time");
 }
 
 /* --- a stretch of time -------------------------------------------------------------------------------------
@@ -146,13 +146,12 @@ static bool read_times(const char *text, const Experiment *experiment, double *f
 
 bool command_answer_loop(Laboratory *lab, const char *text)
 {
-    const double dt = experiment_simulation(laboratory_run(lab))->dt;
+    const double dt = laboratory_simulation(lab)->dt;
     const double end = (double)experiment_last_step(laboratory_run(lab)) * dt;
     Stretch loop = {.on = true};
-    char why[120];
     if (!*text && lab->player.playback.looping) {
         player_loop(lab, &(Stretch){.on = false});
-        laboratory_say(lab, MESSAGE_INFO, "the run goes on to its end again");
+        laboratory_tell(lab, "the run goes on to its end again");
         return true;
     }
     if (!*text && lab->player.bookmarks.count > 1) {
@@ -161,15 +160,14 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     } else if (!read_times(text, laboratory_run(lab), &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
         const NumberText last = text_rounded(end, 6);
-        snprintf(why, sizeof why, "two times are wanted, as in loop 0 %s, the second at most %s", last.text,
-                 last.text);
-        return prompt_refuse(&lab->prompting, why);
+        return prompt_refuse(lab, "two times are wanted, as in loop 0 %s, the second at most %s", last.text,
+                             last.text);
     }
     player_pause(lab);
     player_loop(lab, &loop);
     lab->player.resume = STATE_RUNNING;
     player_seek(lab, lround(loop.from / dt), 0);
-    laboratory_say(lab, MESSAGE_INFO, "again and again; :loop alone ends it");
+    laboratory_tell(lab, "again and again; :loop alone ends it");
     return true;
 }
 
@@ -179,7 +177,7 @@ bool command_answer_loop(Laboratory *lab, const char *text)
 void command_slow_motion(Laboratory *lab)
 {
     if (experiment_at_end(laboratory_run(lab)))
-        laboratory_say(lab, MESSAGE_INFO, "this is the end of the run");
+        laboratory_tell(lab, "this is the end of the run");
     else
         player_slow_motion(lab, !lab->player.playback.slow);
 }

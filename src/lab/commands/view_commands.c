@@ -33,7 +33,7 @@ void command_show_digit(Laboratory *lab, int digit)
         command_show_view(lab, view);
         follow_view(&lab->screen, view);
     } else {
-        laboratory_say(lab, MESSAGE_INFO, "no view has the key %d", digit);
+        laboratory_tell(lab, "no view has the key %d", digit);
     }
 }
 
@@ -45,7 +45,7 @@ void command_show_view(Laboratory *lab, const View *view)
         screen->panes.zoomed || (lab->width > 0 && !screen_is_whole(screen, lab->width, lab->height));
     const char *missing = view_missing(view, screen);
     if (missing) {
-        laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, missing);
+        laboratory_tell(lab, "%s: %s", view->word, missing);
         return;
     }
     lab->refining.stopped = NULL;
@@ -140,21 +140,20 @@ void command_window(Laboratory *lab, int direction)
     }
     time_plot_window(screen, &from, &to);
     double length = screen->time.window > 0 ? screen->time.window : to - from;
-    const double dt = experiment_simulation(laboratory_run(lab))->dt, least = 10 * dt;
+    const double dt = laboratory_simulation(lab)->dt, least = 10 * dt;
     const double end = dt * (double)experiment_last_step(laboratory_run(lab));
     double window = player_next_125(length, direction);
     /* the table of 1, 2, 5 does not reach into the microseconds of a crack */
     if (length < 1e-2)
         window = 1e-6 * player_next_125(1e6 * length, direction);
     if (window < least || (direction > 0 && length >= end)) {
-        laboratory_say(lab, MESSAGE_INFO,
-                       direction < 0 ? "the time window has ten steps, no fewer"
-                                     : "the time window holds the whole run");
+        laboratory_tell(lab, direction < 0 ? "the time window has ten steps, no fewer"
+                                           : "the time window holds the whole run");
         return;
     }
     screen->time.window = window;
-    const Problem *facts = experiment_settings(laboratory_run(lab))->problem;
-    laboratory_say(lab, MESSAGE_INFO, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
+    const Problem *facts = laboratory_settings(lab)->problem;
+    laboratory_tell(lab, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
 }
 
 void command_automatic(Laboratory *lab)
@@ -164,23 +163,23 @@ void command_automatic(Laboratory *lab)
         return;
     }
     lab->screen.time.window = 0;
-    laboratory_say(lab, MESSAGE_INFO, "time window automatic");
+    laboratory_tell(lab, "time window automatic");
 }
 
 void command_cycle_references(Laboratory *lab)
 {
     static const char *const texts[SHOW_COUNT] = {"all", "exact only", "predicted only", "none"};
     lab->screen.views.references = (ReferencesShown)((lab->screen.views.references + 1) % SHOW_COUNT);
-    laboratory_say(lab, MESSAGE_INFO, "reference curves: %s", texts[lab->screen.views.references]);
+    laboratory_tell(lab, "reference curves: %s", texts[lab->screen.views.references]);
 }
 
 void command_cycle_glyphs(Laboratory *lab)
 {
     static const char *const texts[GLYPHS_COUNT] = {"braille", "block", "ASCII"};
     if (!lab->utf8) {
-        laboratory_say(lab, MESSAGE_INFO, "this locale has ASCII only");
+        laboratory_tell(lab, "this locale has ASCII only");
         return;
     }
     lab->screen.look.glyphs = (Glyphs)((lab->screen.look.glyphs + 1) % GLYPHS_COUNT);
-    laboratory_say(lab, MESSAGE_INFO, "glyphs: %s", texts[lab->screen.look.glyphs]);
+    laboratory_tell(lab, "glyphs: %s", texts[lab->screen.look.glyphs]);
 }

@@ -76,7 +76,7 @@ static bool is_met(Laboratory *lab, const LessonUntil *until)
     case UNTIL_COMMAND:
         return !command || command_set_has(&lab->play.used, command->id);
     case UNTIL_VALUE: {
-        const Settings *now = experiment_settings(laboratory_run(lab));
+        const Settings *now = laboratory_settings(lab);
         const Parameter *parameter = parameter_find(until->word);
         Settings wanted = *now;
         char is[LIST_MAX], should_be[LIST_MAX];
@@ -210,7 +210,7 @@ static void arrive(Laboratory *lab)
         lesson_judge_enter(lab);
     player_stop_at(lab, &stop);
     if (lab->message.kind != MESSAGE_ERROR && play->resumes > 0)
-        laboratory_say(lab, MESSAGE_INFO, "you had come to page %d; b turns back", play->resumes);
+        laboratory_tell(lab, "you had come to page %d; b turns back", play->resumes);
     else if (lab->message.kind != MESSAGE_ERROR)
         laboratory_say(lab, MESSAGE_NONE, "%s",
                        ""); /* its text tells what the page did, and what is to be feared */
@@ -281,7 +281,7 @@ bool lesson_entry_keeps(Laboratory *lab, const Key *key)
             return false;
     if (key->x < 0 && play->n_waiting < LESSON_KEYS_MAX)
         play->waiting[play->n_waiting++] = *key;
-    laboratory_say(lab, MESSAGE_INFO, "the page is on its way, and keys wait for it; ^C gives it up");
+    laboratory_tell(lab, "the page is on its way, and keys wait for it; ^C gives it up");
     return true;
 }
 

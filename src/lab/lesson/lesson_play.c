@@ -25,7 +25,7 @@ static bool take_words(Laboratory *lab, const char *text)
 {
     ExerciseMark *mark = lesson_judge_mark(lab);
     if (!text[strspn(text, " ")])
-        return prompt_refuse(&lab->prompting, "a few words are wanted");
+        return prompt_refuse(lab, "a few words are wanted");
     mark->tries++;
     snprintf(mark->value, sizeof mark->value, "%s", text);
     lesson_judge_say(lab, true, "Kept for the teacher.");
@@ -52,11 +52,11 @@ static bool take_number(Laboratory *lab, const char *text)
     double given, right;
     Status status = {STATUS_DONE, ""};
     if (!exercise_read_number(text, &given))
-        return prompt_refuse(&lab->prompting, "a number is wanted");
+        return prompt_refuse(lab, "a number is wanted");
     if (!exercise || exercise->kind != EXERCISE_NUMBER)
         return true; /* another page was turned to meanwhile */
     if (!lesson_judge_number(lab, &right, &status))
-        return prompt_refuse(&lab->prompting, status.text);
+        return prompt_refuse(lab, "%s", status.text);
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     note_number(lesson_judge_mark(lab), exercise, right, given);
     if (!isfinite(right)) {
@@ -162,7 +162,7 @@ void lesson_play_toggle(Laboratory *lab)
 bool lesson_play_answer(Laboratory *lab, const char *text)
 {
     Status status = {STATUS_DONE, ""};
-    return lesson_play_open(lab, text, &status) || prompt_refuse(&lab->prompting, status.text);
+    return lesson_play_open(lab, text, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 static void open_from_list(Laboratory *lab, int lesson)
@@ -187,7 +187,7 @@ static void open_next(Laboratory *lab)
     const bool known = builtin_lessons[next].name != NULL;
     const bool more = known && ++next < screen_lesson_count();
     if (!known) {
-        laboratory_say(lab, MESSAGE_INFO, "that was the last page; T closes the lesson");
+        laboratory_tell(lab, "that was the last page; T closes the lesson");
         return;
     }
     lesson_play_close(lab);
@@ -207,14 +207,13 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
         lab->play.warned = true; /* pressed again, the key leaves the page out */
         pane_lesson_footer(&lab->screen, wanted, sizeof wanted);
         if (shown->counts && lesson_exercise(page) != EXERCISE_NONE)
-            laboratory_say(lab, MESSAGE_INFO,
-                           "this exercise has no mark yet; n goes on anyway, b comes back");
+            laboratory_tell(lab, "this exercise has no mark yet; n goes on anyway, b comes back");
         else if (open_question)
-            laboratory_say(lab, MESSAGE_INFO, "the question waits for an answer; n goes on anyway");
+            laboratory_tell(lab, "the question waits for an answer; n goes on anyway");
         else
-            laboratory_say(lab, MESSAGE_INFO, "this page waits: %s; n goes on anyway", wanted);
+            laboratory_tell(lab, "this page waits: %s; n goes on anyway", wanted);
     } else if (shown->page + direction < 0) {
-        laboratory_say(lab, MESSAGE_INFO, "this is the first page");
+        laboratory_tell(lab, "this is the first page");
     } else if (shown->page + direction == shown->lesson->n_pages) {
         open_next(lab);
     } else {
@@ -251,13 +250,12 @@ void lesson_play_enter(Laboratory *lab)
     else if (page->n_choices > 0 && shown->answer < 0 && shown->marked >= 0)
         take_answer(lab, shown->marked);
     else if (page->n_choices > 0 && shown->answer < 0)
-        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d; n goes on anyway",
-                       page->n_choices);
+        laboratory_tell(lab, "a number answers the question: 1 to %d; n goes on anyway", page->n_choices);
     else if (page->question && shown->answer < 0) {
         /* Asks for the number or the words of the page. */
         static const Typing of_words = {.retyped = true}, of_number = {.retyped = true, .leaves = "nb"};
         const bool words = lesson_exercise(lesson_entry_page(lab)) == EXERCISE_WORDS;
-        prompt_ask(&lab->prompting, words ? take_words : take_number, false, "", "%s",
+        prompt_ask(lab, words ? take_words : take_number, false, "", "%s",
                    words ? "your words" : "your answer");
         snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint, "%s",
                  words ? "one line for the teacher" : "a number, as 1.5");
@@ -274,9 +272,9 @@ static void step_for_space(Laboratory *lab)
 {
     const LessonPage *page = lesson_entry_page(lab);
     if (page->n_choices > 0 && lab->play.shown.answer < 0)
-        laboratory_say(lab, MESSAGE_INFO, "a number answers the question: 1 to %d", page->n_choices);
+        laboratory_tell(lab, "a number answers the question: 1 to %d", page->n_choices);
     else if (page->until.kind == UNTIL_NOTHING || lab->play.shown.met)
-        laboratory_say(lab, MESSAGE_INFO, "this page waits for nothing more: n goes on");
+        laboratory_tell(lab, "this page waits for nothing more: n goes on");
     else
         lab->carry_out(lab, COMMAND_STAGE_FORWARD);
 }
@@ -308,8 +306,8 @@ static bool list_key(Laboratory *lab, const char *key)
     } else {
         shown->chosen = number - 1;
         lab->play.digit = number;
-        laboratory_say(lab, MESSAGE_INFO, "Enter opens lesson %d; a second digit: %d to %d", number,
-                       10 * number, 10 * number + 9 < count ? 10 * number + 9 : count);
+        laboratory_tell(lab, "Enter opens lesson %d; a second digit: %d to %d", number, 10 * number,
+                        10 * number + 9 < count ? 10 * number + 9 : count);
     }
     return true;
 }
@@ -348,17 +346,17 @@ static bool answer_search(Laboratory *lab, const char *text)
                   page = page_with(builtin_lessons[lesson].name, text);
         if (page > 0) {
             shown->chosen = lesson;
-            laboratory_say(lab, MESSAGE_INFO, "on page %d; / Enter searches on", page);
+            laboratory_tell(lab, "on page %d; / Enter searches on", page);
             return true;
         }
     }
-    return !*text || prompt_refuse(&lab->prompting, "no lesson has these words");
+    return !*text || prompt_refuse(lab, "no lesson has these words");
 }
 
 void lesson_play_search(Laboratory *lab)
 {
     static const Typing retyped = {.retyped = true};
-    prompt_ask(&lab->prompting, answer_search, false, lab->help.sought, "search the lessons");
+    prompt_ask(lab, answer_search, false, lab->help.sought, "search the lessons");
     lab->prompting.typing = &retyped;
 }
 

@@ -70,7 +70,7 @@ static void offer_meant(Completion *completion, const Laboratory *lab, const cha
 {
     const char *typed = completion->start;
     for (int i = 0; *typed && i < n_parameters; i++)
-        if (parameter_applies_to(experiment_settings(laboratory_run(lab)), &parameters[i]) &&
+        if (parameter_applies_to(laboratory_settings(lab), &parameters[i]) &&
             is_meant(&parameters[i], typed)) {
             completion->start = "";
             offer(completion, parameters[i].key, tail);
@@ -83,7 +83,7 @@ static void offer_meant(Completion *completion, const Laboratory *lab, const cha
 static void offer_keys(Completion *completion, const Laboratory *lab, const char *tail)
 {
     for (int i = 0; i < n_parameters; i++)
-        if (parameter_applies_to(experiment_settings(laboratory_run(lab)), &parameters[i]))
+        if (parameter_applies_to(laboratory_settings(lab), &parameters[i]))
             offer(completion, parameters[i].key, tail);
     if (completion->found == 0)
         offer_meant(completion, lab, tail);
@@ -196,7 +196,7 @@ void complete_assignments(Completion *completion, const Laboratory *lab)
         return;
     }
     completion->start = word + key + 1;
-    offer_values(completion, experiment_settings(laboratory_run(lab)), word, key);
+    offer_values(completion, laboratory_settings(lab), word, key);
 }
 
 /* The fields of particles or nodes, behind a number; first the kinds of things. */
@@ -236,7 +236,7 @@ static void offer_setting(Completion *completion, const Laboratory *lab)
     if (completion->found > 0)
         return;
     completion->start = words + key + strspn(words + key, " =");
-    offer_values(completion, experiment_settings(laboratory_run(lab)), words, key);
+    offer_values(completion, laboratory_settings(lab), words, key);
 }
 
 /* The words after a verb; `start` is what stands behind it. */
@@ -295,7 +295,7 @@ static void offer_arguments(Completion *completion, const Laboratory *lab, LineA
             offer(completion, (const char *const[]){"t ", "end", "first "}[i], "");
         break;
     case ARGUMENT_FIELD:
-        offer_fields(completion, experiment_simulation(laboratory_run(lab)));
+        offer_fields(completion, laboratory_simulation(lab));
         break;
     case ARGUMENT_OTHER:
         break;

@@ -52,11 +52,11 @@ static void recall(Prompting *prompting, int direction)
 
 static bool assign(Laboratory *lab, const char *key, const char *value)
 {
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
     return (settings_change(&settings, key, value, &status) && view_check(&settings, &status) &&
             edit_change(lab, &settings, experiment_edit, &status)) ||
-           prompt_refuse(&lab->prompting, status.text);
+           prompt_refuse(lab, "%s", status.text);
 }
 
 /* Whether so many bytes mean a key, or several. */
@@ -64,9 +64,8 @@ static bool means_key(const Laboratory *lab, const char *words, size_t length)
 {
     char called[KEY_MAX], key[KEY_MAX];
     snprintf(called, sizeof called, "%.*s", (int)length, words);
-    return length < sizeof called &&
-           (!settings_resolve_key(experiment_settings(laboratory_run(lab)), called, key, NULL) ||
-            parameter_find(key) || text_key_find(key));
+    return length < sizeof called && (!settings_resolve_key(laboratory_settings(lab), called, key, NULL) ||
+                                      parameter_find(key) || text_key_find(key));
 }
 
 /* The bytes of the key before a value: all before '=', which may be a label's words, or else as many words
@@ -95,11 +94,11 @@ static bool set(Laboratory *lab, const char *words)
     if (*value == '=')
         value += 1 + strspn(value + 1, " ");
     if (length == 0 || length >= sizeof called || !*value)
-        return prompt_refuse(&lab->prompting, "a key and a value are wanted, as in set initial.mode 5");
+        return prompt_refuse(lab, "a key and a value are wanted, as in set initial.mode 5");
     snprintf(called, sizeof called, "%.*s", (int)length, words);
-    return settings_resolve_key(experiment_settings(laboratory_run(lab)), called, key, &status)
+    return settings_resolve_key(laboratory_settings(lab), called, key, &status)
                ? assign(lab, key, value)
-               : prompt_refuse(&lab->prompting, status.text);
+               : prompt_refuse(lab, "%s", status.text);
 }
 
 static bool export_as(Laboratory *lab, const char *words)
@@ -123,7 +122,7 @@ static bool take_word(const char **words, char *out, size_t size)
 static bool reading(double share, void *context)
 {
     Laboratory *lab = context;
-    laboratory_say(lab, MESSAGE_INFO, "reading %d %%   ^C cancels", (int)(100 * share));
+    laboratory_tell(lab, "reading %d %%   ^C cancels", (int)(100 * share));
     return laboratory_go_on(lab);
 }
 
@@ -141,28 +140,26 @@ static bool overlay(Laboratory *lab, const char *words)
     Overlay read;
     Status status = {STATUS_DONE, ""};
     if (!take_word(&words, path, sizeof path)) {
-        laboratory_say(lab, MESSAGE_INFO,
-                       screen->overlay ? "%s is taken away" : "no series lies over the plots",
-                       lab->overlay.file);
+        laboratory_tell(lab, screen->overlay ? "%s is taken away" : "no series lies over the plots",
+                        lab->overlay.file);
         drop_overlay(lab);
         return true;
     }
     const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
     if (!overlay_load(&read, path, reading, lab, &status))
-        return prompt_refuse(&lab->prompting, status.text);
+        return prompt_refuse(lab, "%s", status.text);
     if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, view_time_curve(screen),
                         view_profile_curve(screen), &status)) {
         overlay_close(&read);
-        return prompt_refuse(&lab->prompting, status.text);
+        return prompt_refuse(lab, "%s", status.text);
     }
     drop_overlay(lab);
     lab->overlay = read;
     screen->overlay = &lab->overlay;
     const double *place = read.columns[read.x].values;
-    laboratory_say(lab, MESSAGE_INFO, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away",
-                   read.file, read.count, read.along ? "x" : "t",
-                   text_rounded(read.count ? place[0] : NAN, 5).text,
-                   text_rounded(read.count ? place[read.count - 1] : NAN, 5).text);
+    laboratory_tell(lab, "%s: %zu rows, %s from %s to %s; :overlay alone takes it away", read.file,
+                    read.count, read.along ? "x" : "t", text_rounded(read.count ? place[0] : NAN, 5).text,
+                    text_rounded(read.count ? place[read.count - 1] : NAN, 5).text);
     return true;
 }
 
@@ -193,9 +190,9 @@ static bool show(Laboratory *lab, const char *words)
     snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2",
              known);
     if (!sound || !view || variant < 1)
-        return prompt_refuse(&lab->prompting, why);
+        return prompt_refuse(lab, "%s", why);
     if (view_missing(view, &lab->screen))
-        return prompt_refuse(&lab->prompting, view_missing(view, &lab->screen));
+        return prompt_refuse(lab, "%s", view_missing(view, &lab->screen));
     command_show_view(lab, view);
     view_choose_variant(view, &lab->screen, variant - 1);
     return true;
@@ -209,13 +206,13 @@ static bool tell(Laboratory *lab, const char *words)
     tell_names(known, sizeof known);
     snprintf(why, sizeof why, "tell what? (%s)", known);
     if (!tell_named(&lab->screen, words, &told))
-        return prompt_refuse(&lab->prompting, why);
+        return prompt_refuse(lab, "%s", why);
     for (char *end = told.text; end && !lab->host.tell && (end = strchr(end, '\n'));)
         *end = ' ';
     if (told.text && lab->host.tell)
         lab->host.tell(lab->host.context, told.text);
     else
-        laboratory_say(lab, MESSAGE_INFO, "%s", told.text ? told.text : "there is nothing to tell");
+        laboratory_tell(lab, "%s", told.text ? told.text : "there is nothing to tell");
     words_close(&told);
     return true;
 }
@@ -227,7 +224,7 @@ static bool references(Laboratory *lab, const char *words)
             lab->screen.views.references = (ReferencesShown)i;
             return true;
         }
-    return prompt_refuse(&lab->prompting, "which reference curves? (all | exact | predicted | none)");
+    return prompt_refuse(lab, "which reference curves? (all | exact | predicted | none)");
 }
 
 static bool sheet(Laboratory *lab, const char *words)
@@ -237,20 +234,20 @@ static bool sheet(Laboratory *lab, const char *words)
         command_show_sheet(lab, (Sheet)which);
     else if (!*words)
         command_sheet(lab);
-    return which >= 0 || !*words || prompt_refuse(&lab->prompting, "which sheet? (plain | full)");
+    return which >= 0 || !*words || prompt_refuse(lab, "which sheet? (plain | full)");
 }
 
 /* Which of one of the simulation's sets: particles, nodes. */
 static bool choose(Laboratory *lab, const char *words, int set, const char *what, size_t *chosen)
 {
-    const Simulation *sim = experiment_simulation(laboratory_run(lab));
+    const Simulation *sim = laboratory_simulation(lab);
     const long count = set < sim->n_sets ? (long)sim->counts[set] : 0;
     long number;
     char why[64];
     snprintf(why, sizeof why, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run", what,
              count - 1);
     if (!text_to_long(words, &number) || number < 0 || number >= count)
-        return prompt_refuse(&lab->prompting, why);
+        return prompt_refuse(lab, "%s", why);
     *chosen = (size_t)number;
     lab->screen.chosen.is_node = set > 0;
     return true;
@@ -266,21 +263,20 @@ static bool help_on(Laboratory *lab, const char *words)
     if (!*words || strcmp(words, "all") == 0)
         lab->carry_out(lab, COMMAND_HELP);
     else if (verb)
-        laboratory_say(lab, MESSAGE_INFO, "%s %s: %s", verb->name, verb->arguments, verb->help);
+        laboratory_tell(lab, "%s %s: %s", verb->name, verb->arguments, verb->help);
     else if (view)
-        laboratory_say(lab, MESSAGE_INFO, "%s: %s", view->word, view->help);
+        laboratory_tell(lab, "%s: %s", view->word, view->help);
     else if (command) {
         char key[COMMAND_KEY_MAX];
         command_first_key(command, key);
-        laboratory_say(lab, MESSAGE_INFO, "%s (%s): %s", command->name, key, command_help(command));
+        laboratory_tell(lab, "%s (%s): %s", command->name, key, command_help(command));
     } else if (parameter)
-        laboratory_say(lab, MESSAGE_INFO, "%s: %s", parameter->key, parameter->help);
+        laboratory_tell(lab, "%s: %s", parameter->key, parameter->help);
     else if (scenario_builtin(words) && scenario_title(scenario_builtin(words), title))
-        laboratory_say(lab, MESSAGE_INFO, "%s: %s", words, title);
+        laboratory_tell(lab, "%s: %s", words, title);
     else
         return prompt_refuse(
-            &lab->prompting,
-            "help on what? (a command, a word behind :, a view, a parameter or a scenario; all)");
+            lab, "help on what? (a command, a word behind :, a view, a parameter or a scenario; all)");
     return true;
 }
 
@@ -297,7 +293,7 @@ static bool node(Laboratory *lab, const char *words)
 /* "particle 12 velocity" of "velocity", where that is a field of the chosen thing. */
 static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_TEXT_MAX])
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const bool node = screen->chosen.is_node && sim->n_sets > 1;
     size_t word = strcspn(words, " ");
     for (int set = 0; set < sim->n_sets; set++)
@@ -314,7 +310,7 @@ static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_
 static bool plot(Laboratory *lab, const char *words)
 {
     Screen *screen = &lab->screen;
-    Settings settings = *experiment_settings(laboratory_run(lab));
+    Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
     char thing[FOLLOW_TEXT_MAX], *follow = settings_edit_output(&settings)->follow;
     const size_t used = strlen(follow);
@@ -322,17 +318,17 @@ static bool plot(Laboratory *lab, const char *words)
     if (!*words)
         memset(follow, 0, sizeof settings_output(&settings)->follow);
     else if (used + strlen(thing) + 3 > sizeof settings_output(&settings)->follow)
-        return prompt_refuse(&lab->prompting, "too many things are followed: plot alone ends them");
+        return prompt_refuse(lab, "too many things are followed: plot alone ends them");
     else
         snprintf(follow + used, sizeof settings_output(&settings)->follow - used, "%s%s", used ? ", " : "",
                  thing);
     if (!edit_change(lab, &settings, experiment_edit, &status))
-        return prompt_refuse(&lab->prompting, status.text);
-    const Simulation *sim = experiment_simulation(laboratory_run(lab));
+        return prompt_refuse(lab, "%s", status.text);
+    const Simulation *sim = laboratory_simulation(lab);
     const View *view = view_named("probe");
     if (!*words) {
         view_choose_variant(view, screen, 0);
-        laboratory_say(lab, MESSAGE_INFO, "nothing is followed any more");
+        laboratory_tell(lab, "nothing is followed any more");
         return true;
     }
     command_show_view(lab, view);
@@ -343,7 +339,7 @@ static bool plot(Laboratory *lab, const char *words)
 static bool set_row(Laboratory *lab, int kind, const char *words)
 {
     Status status = {STATUS_DONE, ""};
-    return row_edit_line(lab, kind, words, &status) || prompt_refuse(&lab->prompting, status.text);
+    return row_edit_line(lab, kind, words, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 static bool cut(Laboratory *lab, const char *words)
@@ -397,31 +393,29 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *words)
 {
     enum { MOST = COMMAND_COUNT + LINE_COUNT };
     const char *known[MOST + 1] = {NULL}, *nearest;
-    char word[64], why[200];
+    char word[64];
     int count = 0;
     for (int i = 0; i < n_line_verbs && count < MOST; i++)
         known[count++] = line_verbs[i].name;
     for (int i = 0; i < n_commands && count < MOST; i++)
         known[count++] = commands[i].name;
     snprintf(word, sizeof word, "%.*s", (int)strcspn(line, " "), line);
-    const FixedKey *fixed = fixed_key_find(experiment_settings(laboratory_run(lab)), word);
+    const FixedKey *fixed = fixed_key_find(laboratory_settings(lab), word);
     if (fixed) {
         char text[sizeof lab->prompting.shown.problem];
         fixed_key_text(fixed, text, sizeof text);
-        return prompt_refuse(&lab->prompting, text);
+        return prompt_refuse(lab, "%s", text);
     }
     double time;
     if (command_by_name(word)) {
         const bool place = text_to_double(*words == '#' ? words + 1 : words, &time);
-        snprintf(why, sizeof why,
-                 place ? "%s takes no argument; :%.20s goes to %s%.20s" : "%s takes no argument", word, words,
-                 *words == '#' ? "step " : "t = ", words + (*words == '#'));
-        return prompt_refuse(&lab->prompting, why);
+        return prompt_refuse(lab,
+                             place ? "%s takes no argument; :%.20s goes to %s%.20s" : "%s takes no argument",
+                             word, words, *words == '#' ? "step " : "t = ", words + (*words == '#'));
     }
     nearest = parameter_nearest_word(known, word);
-    snprintf(why, sizeof why, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
-             word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
-    return prompt_refuse(&lab->prompting, why);
+    return prompt_refuse(lab, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
+                         word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
 }
 
 bool line_run(Laboratory *lab, const char *text)
@@ -466,6 +460,6 @@ static const Typing typing = {.key = line_key_of, .offer = complete_line, .typed
 void line_ask(Laboratory *lab)
 {
     lab->prompting.past.at = lab->prompting.past.count;
-    prompt_ask(&lab->prompting, answer_line, false, "", ":");
+    prompt_ask(lab, answer_line, false, "", ":");
     lab->prompting.typing = &typing;
 }

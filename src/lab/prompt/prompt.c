@@ -9,8 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-void prompt_ask(Prompting *prompting, Answer answer, bool yes_no, const char *text, const char *format, ...)
+void prompt_ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, const char *format, ...)
 {
+    Prompting *prompting = &lab->prompting;
     Prompt *prompt = &prompting->shown;
     va_list arguments;
     *prompt = (Prompt){.open = true, .yes_no = yes_no};
@@ -25,14 +26,14 @@ void prompt_ask(Prompting *prompting, Answer answer, bool yes_no, const char *te
 }
 
 /* A long name loses its first folders: names differ at their end. */
-void prompt_ask_replace(Prompting *prompting, Answer answer, const char *name)
+void prompt_ask_replace(Laboratory *lab, Answer answer, const char *name)
 {
     enum { COLUMNS = 56 };
     const char *end = name;
     for (int more = glyphs_columns(name) - COLUMNS; more > 0; more--)
         glyph_next(&end);
-    prompt_ask(prompting, answer, true, "", "%s%s exists: replace?", end > name ? "..." : "", end);
-    prompting->shown.wants_y = true;
+    prompt_ask(lab, answer, true, "", "%s%s exists: replace?", end > name ? "..." : "", end);
+    lab->prompting.shown.wants_y = true;
 }
 
 void prompt_fill(Prompting *prompting, const char *text)
@@ -49,9 +50,15 @@ void prompt_close(Prompting *prompting)
     prompting->shown = (Prompt){.open = false};
 }
 
-bool prompt_refuse(Prompting *prompting, const char *why)
+bool prompt_refuse(Laboratory *lab, const char *format, ...)
 {
-    visible_text(prompting->shown.problem, sizeof prompting->shown.problem, why);
+    Prompt *prompt = &lab->prompting.shown;
+    char why[2 * sizeof prompt->problem];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, sizeof why, format, arguments);
+    va_end(arguments);
+    visible_text(prompt->problem, sizeof prompt->problem, why);
     return false;
 }
 

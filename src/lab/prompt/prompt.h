@@ -45,17 +45,17 @@ typedef struct Prompting {
     LineHistory past;
 } Prompting;
 
-void prompt_ask(Prompting *, Answer, bool yes_no, const char *text, const char *format, ...)
+void prompt_ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
 /* Asks whether a file that exists is replaced: only y does. */
-void prompt_ask_replace(Prompting *, Answer, const char *name);
+void prompt_ask_replace(Laboratory *, Answer, const char *name);
 
 void prompt_fill(Prompting *, const char *text); /* in place of what was typed; typing replaces it */
 void prompt_close(Prompting *);
 
 /* Says in the question that is open why its answer is not taken; returns false. */
-bool prompt_refuse(Prompting *, const char *why);
+bool prompt_refuse(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 void prompt_key(Laboratory *, const Key *);
 

@@ -408,7 +408,7 @@ static bool has_room(const Script *script, double dt, Status *status)
                  due = fmax(ceil((1 - 1e-9) * camera->speed / camera->fps / FRAME_SECONDS), 1),
                  pictures = fmin(frames / due, steps);
     if (pictures < FILM_PICTURES_MAX || camera->idle < 1 / camera->fps ||
-        settings_time(experiment_settings(laboratory_run(lab)))->rest)
+        settings_time(laboratory_settings(lab))->rest)
         return true;
     return status_refuse(
         status, "the film would have about %.0f pictures (at most %d: --to %g, or --speed %g)", pictures,
@@ -421,7 +421,7 @@ static bool has_room(const Script *script, double dt, Status *status)
 static bool film_run(Script *script, Status *status)
 {
     Laboratory *lab = &script->lab;
-    const double dt = experiment_simulation(laboratory_run(lab))->dt;
+    const double dt = laboratory_simulation(lab)->dt;
     if (laboratory_active(lab) && !has_room(script, dt, status))
         return false;
     if (script->camera->from > 0)

@@ -371,7 +371,7 @@ static bool nothing_to_draw(Status *status, const Picture *picture, const char *
 
 bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     if (figure->count == FIGURE_PANELS_MAX)
         return status_refuse(status, "a page has room for %d pictures", FIGURE_PANELS_MAX);
     FigurePanel *panel = calloc(1, sizeof *panel);

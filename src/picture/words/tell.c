@@ -84,7 +84,7 @@ static void tell_where(const Screen *screen, Words *words)
 
 static void tell_about(const Screen *screen, Words *words)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     Asked asked[ASKED_MAX];
     const int n_asked = settings_asked(settings, asked);
     char question[ABOUT_MAX], text[400] = "", tried[160];
@@ -137,7 +137,7 @@ static bool is_of_setup(const Parameter *parameter)
  * out. */
 static void tell_setup(const Screen *screen, Words *words)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     char text[400] = "", value[LIST_MAX];
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *one = &parameters[i];
@@ -164,7 +164,7 @@ static void tell_setup(const Screen *screen, Words *words)
 
 static void tell_why(const Screen *screen, Words *words)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const int mode = settings_start(settings)->mode;
     ModeOnMesh on_mesh;
     words_say(words, 2, "%s", *settings->about ? settings->about : "The scenario says nothing of itself.");
@@ -216,7 +216,7 @@ static void tell_parameter(const Screen *screen, Words *words)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
     if (row && row->is_row)
         tell_row(settings, &row->place, words);
@@ -239,7 +239,7 @@ static void tell_parameter(const Screen *screen, Words *words)
 /* "50 particles, 34 nodes.", then what the table has of the chosen one. */
 static void tell_body(const Screen *screen, Words *words)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const int set = screen->chosen.is_node && sim->n_sets > 1;
     const size_t wanted = set ? screen->chosen.node : screen->chosen.particle;
     const size_t index = wanted < sim->counts[set] ? wanted : sim->counts[set] - 1;

@@ -7,7 +7,7 @@ static const Inspector *const inspectors[] = {&inspector_mesh, &inspector_bonds,
 
 const Inspector *inspector_find(const Screen *screen)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     for (size_t i = 0; i < sizeof inspectors / sizeof *inspectors; i++)
         if (simulation_has(sim, inspectors[i]->needs))
             return inspectors[i];
@@ -16,7 +16,7 @@ const Inspector *inspector_find(const Screen *screen)
 
 void inspector_choose_across(Screen *screen, bool node)
 {
-    if (simulation_has(experiment_simulation(screen->experiment), HAS_MESH))
+    if (screen_has(screen, HAS_MESH))
         inspector_move(screen, 0, node ? -1 : 1, 1);
 }
 

@@ -14,11 +14,10 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
 {
     static const char *const told[][2] = {
         {"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     char text[160] = "";
-    snprintf(text, sizeof text, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "",
-             node, text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, n_bonds);
-    picture_heading(picture, text);
+    picture_heading(picture, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "", node,
+                    text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, n_bonds);
     snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
     text[0] = '\0';
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
@@ -27,7 +26,7 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
         text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
                     text_fitted(simulation_named(sim, 0, told[i][1], node), 5, 11).text);
     }
-    picture_note(picture, STYLE_NORMAL, text);
+    picture_note(picture, STYLE_NORMAL, "%s", text);
     picture_note(picture, STYLE_FAINT,
                  "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
 }
@@ -46,11 +45,11 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
 {
     static const char *const names[] = {"ξ", "stretch s", "c G w V", "force on it"};
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const int bonds = simulation_find_stage(sim, "bonds"), drift = simulation_find_stage(sim, "drift");
     const bool just_bonds = sim->stage == bonds + 1;               /* the load is not yet in the force */
     const bool is_old = sim->stage > drift && sim->stage <= bonds; /* that is still the last step's */
-    const double spacing = lattice_spacing(experiment_settings(screen->experiment));
+    const double spacing = lattice_spacing(screen_settings(screen));
     table->count = count;
     table->n_columns = COLUMNS;
     table->what = "bond to";
@@ -83,7 +82,7 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
 
 static void describe(const Screen *screen, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     Link links[TABLE_ROWS_MAX];
     const size_t chosen = screen->chosen.particle, last = sim->counts[0] - 1;
     const size_t node = chosen < last ? chosen : last;
@@ -97,7 +96,7 @@ static void describe(const Screen *screen, Picture *picture)
 
 static void move_on(Screen *screen, int x, int y, int page)
 {
-    const size_t count = experiment_simulation(screen->experiment)->counts[0];
+    const size_t count = screen_simulation(screen)->counts[0];
     const long to = (long)screen->chosen.particle + (x != 0 ? x : page > 1 ? y : 0) * (long)page;
     screen->chosen.particle = to < 0 ? 0 : to < (long)count ? (size_t)to : count - 1;
     screen->chosen.is_node = false;

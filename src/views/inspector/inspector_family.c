@@ -63,12 +63,9 @@ static Ray ray_of(const Family *family, const Link *link)
 
 static bool family_of(Family *family, const Screen *screen)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    *family = (Family){.screen = screen,
-                       .sim = sim,
-                       .settings = experiment_settings(screen->experiment),
-                       .most = -1,
-                       .last = -1};
+    const Simulation *sim = screen_simulation(screen);
+    *family =
+        (Family){.screen = screen, .sim = sim, .settings = screen_settings(screen), .most = -1, .last = -1};
     if (!body_of(sim, &family->body) || sim->counts[0] == 0)
         return false;
     family->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
@@ -158,7 +155,7 @@ static void note_stretch(const Family *family, const Ray *ray, Picture *picture)
     if (s0 > 0)
         text_append(text, sizeof text, " = %s %% of s0 = %s", text_fitted(100 * ray->stretch / s0, 4, 8).text,
                     text_fitted(s0, 4, 12).text);
-    picture_note(picture, STYLE_CHANGED, text);
+    picture_note(picture, STYLE_CHANGED, "%s", text);
 }
 
 /* The bond that broke last, with both ends; in the step in which it did with the stretch that broke it. Enter
@@ -169,10 +166,9 @@ static void note_last(const Family *family, Picture *picture)
         return;
     const Ray *ray = &family->rays[family->last];
     const bool now = ray->broken_at == family->sim->step + (family->sim->stage > 0);
-    char text[96];
-    snprintf(text, sizeof text, now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld",
-             family->node, ray->other, ray->broken_at);
-    picture_note(picture, STYLE_WARNING, text);
+    picture_note(picture, STYLE_WARNING,
+                 now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld", family->node,
+                 ray->other, ray->broken_at);
     picture->step = ray->broken_at;
     if (now)
         note_stretch(family, ray, picture);
@@ -194,16 +190,14 @@ static const char *why_it_holds(const Family *family, const Ray *ray)
 /* The most stretched bond that is whole. */
 static void note_most(const Family *family, Picture *picture)
 {
-    char text[48];
     if (family->most < 0) {
         picture_note(picture, STYLE_WARNING, "no bond of it is whole");
         return;
     }
     const Ray *ray = &family->rays[family->most];
-    snprintf(text, sizeof text, "most stretched: to node %zu", ray->other);
-    picture_note(picture, STYLE_HEADING, text);
+    picture_note(picture, STYLE_HEADING, "most stretched: to node %zu", ray->other);
     note_stretch(family, ray, picture);
-    picture_note(picture, STYLE_NORMAL, why_it_holds(family, ray));
+    picture_note(picture, STYLE_NORMAL, "%s", why_it_holds(family, ray));
 }
 
 /* --- the forces --------------------------------------------------------------------------------------- */
@@ -261,17 +255,16 @@ static void describe_forces(const Family *family, PictureTable *table)
 
 static void describe_subject(const Family *family, Picture *picture)
 {
-    char text[128], lost[64] = "";
+    char lost[64] = "";
     const Body *body = &family->body;
     /* the notch's bonds were cut before the run, the others broke in it */
     if (family->cut)
         text_append(lost, sizeof lost, ", %d cut by the notch", family->cut);
     if (family->broken)
         text_append(lost, sizeof lost, ", %d broken", family->broken);
-    snprintf(text, sizeof text, "node %zu at %.6g, %.6g mm: %d bonds%s", family->node,
-             1e3 * (body->first[0] + family->i * body->spacing),
-             1e3 * (body->first[1] + family->j * body->spacing), family->count, lost);
-    picture_heading(picture, text);
+    picture_heading(picture, "node %zu at %.6g, %.6g mm: %d bonds%s", family->node,
+                    1e3 * (body->first[0] + family->i * body->spacing),
+                    1e3 * (body->first[1] + family->j * body->spacing), family->count, lost);
     snprintf(picture->brief, sizeof picture->brief, "node %zu: %d bonds%s", family->node, family->count,
              lost);
     if (family->last >= 0)
@@ -286,7 +279,6 @@ static void describe_subject(const Family *family, Picture *picture)
 static void describe(const Screen *screen, Picture *picture)
 {
     Family family;
-    char text[64];
     picture->kind = PICTURE_TABLES;
     if (!family_of(&family, screen)) {
         picture_heading(picture, "no family to be drawn");
@@ -302,15 +294,16 @@ static void describe(const Screen *screen, Picture *picture)
     PictureTable *forces = picture_table(picture);
     if (forces)
         describe_forces(&family, forces);
-    snprintf(text, sizeof text, "next: %s", sim->stages[sim->stage < sim->n_stages ? sim->stage : 0].name);
-    picture_note(picture, STYLE_FAINT, text)->spare = true;
+    picture_note(picture, STYLE_FAINT, "next: %s",
+                 sim->stages[sim->stage < sim->n_stages ? sim->stage : 0].name)
+        ->spare = true;
 }
 
 /* Bonds are asked for by the thousand: there are more of them than one would keep. */
 long inspector_broken_node(const Screen *screen, long step)
 {
     enum { BONDS = 1, AT_ONCE = 4096 };
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     const int when = simulation_find_field(sim, BONDS, "broken_at"),
               end = simulation_find_field(sim, BONDS, "i");
     Body body;
@@ -332,7 +325,7 @@ long inspector_broken_node(const Screen *screen, long step)
 static void move_on(Screen *screen, int x, int y, int page)
 {
     Body body;
-    if (!body_of(experiment_simulation(screen->experiment), &body))
+    if (!body_of(screen_simulation(screen), &body))
         return;
     int i = (int)(screen->chosen.particle % (size_t)body.nx) + x * page,
         j = (int)(screen->chosen.particle / (size_t)body.nx);

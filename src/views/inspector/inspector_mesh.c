@@ -30,8 +30,7 @@ typedef struct Block {
 
 static Subject subject_of(const Screen *screen)
 {
-    Subject subject = {
-        .screen = screen, .sim = experiment_simulation(screen->experiment), .set = screen->chosen.is_node};
+    Subject subject = {.screen = screen, .sim = screen_simulation(screen), .set = screen->chosen.is_node};
     const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle;
     const size_t count = subject.sim->counts[subject.set];
     subject.index = chosen < count ? chosen : count - 1;
@@ -258,7 +257,7 @@ static void describe_subject(const Subject *subject, Picture *picture)
     if (!isnan(cell))
         text_append(text, sizeof text, ", in cell %.0f", cell);
     text_append(text, sizeof text, "%s", held);
-    picture_heading(picture, text);
+    picture_heading(picture, "%s", text);
     snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next  ↑ ↓ node or particle  i closes ");
     snprintf(picture->hints[1], sizeof picture->hints[1], " ← → next  ↑ node  i closes ");
 }
@@ -270,15 +269,14 @@ static void describe(const Screen *screen, Picture *picture)
     const Subject subject = subject_of(screen);
     const Simulation *sim = subject.sim;
     const int latest = sim->stage > 0 ? sim->stage - 1 : 0;
-    char text[128];
     picture->kind = PICTURE_TABLES;
     describe_subject(&subject, picture);
     if (subject.n_links == 0)
         picture_note(picture, STYLE_NORMAL, "no particle is near: this node is empty");
     else if (sim->stage > 0 && !passes_any(&subject, latest, true) && !passes_any(&subject, latest, false)) {
-        snprintf(text, sizeof text, "stage %d, %s: no particle-node exchange; before that:", sim->stage,
-                 sim->stages[latest].name);
-        PictureNote *note = picture_note(picture, STYLE_NORMAL, text);
+        PictureNote *note = picture_note(picture, STYLE_NORMAL,
+                                         "stage %d, %s: no particle-node exchange; before that:", sim->stage,
+                                         sim->stages[latest].name);
         snprintf(note->brief, sizeof note->brief, "stage %d: no exchange; before that:", sim->stage);
     }
     for (int pass = 0; pass < 2; pass++)

@@ -19,7 +19,7 @@ static double percent(double ratio)
 /* Of a code that is wrong in one place the answer of the right one is known. */
 static const char *predicted_word(const Screen *screen)
 {
-    return settings_mistake(experiment_settings(screen->experiment)) ? "right code" : "predicted";
+    return settings_mistake(screen_settings(screen)) ? "right code" : "predicted";
 }
 
 static void supported_lines(const Screen *screen, bool narrow, char first[160], char second[160])
@@ -88,24 +88,23 @@ static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160
 static bool has_findings(const Screen *screen)
 {
     Finding findings[FINDINGS_MAX];
-    return references_findings(experiment_references(screen->experiment),
-                               experiment_simulation(screen->experiment), findings) > 0;
+    return references_findings(experiment_references(screen->experiment), screen_simulation(screen),
+                               findings) > 0;
 }
 
 bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[160])
 {
-    const bool leaves = experiment_settings(screen->experiment)->problem->concerns & CONCERN_MOTION;
+    const bool leaves = screen_settings(screen)->problem->concerns & CONCERN_MOTION;
     first[0] = second[0] = '\0';
     CrackFacts facts;
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
-    if (crack_facts(experiment_simulation(screen->experiment), &facts))
-        crack_lines(&facts, crack_rayleigh_speed(experiment_settings(screen->experiment)), first, second);
+    if (crack_facts(screen_simulation(screen), &facts))
+        crack_lines(&facts, crack_rayleigh_speed(screen_settings(screen)), first, second);
     else if (fronts) {
         FrontsFacts found;
         crack_fronts_facts(fronts, &found);
-        crack_fronts_lines(&found, crack_rayleigh_speed(experiment_settings(screen->experiment)), "µs", first,
-                           second);
-    } else if (!simulation_has(experiment_simulation(screen->experiment), HAS_PLANE))
+        crack_fronts_lines(&found, crack_rayleigh_speed(screen_settings(screen)), "µs", first, second);
+    } else if (!screen_has(screen, HAS_PLANE))
         return false;
     else if (!experiment_readout(screen->experiment)->moving &&
              (has_findings(screen) || experiment_readout(screen->experiment)->unjudged))

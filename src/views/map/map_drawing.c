@@ -265,9 +265,9 @@ static void add_notes(const Drawing *drawing)
     const Settings *settings = drawing->settings;
     char text[160];
     const double least = drawing->picture->whole ? 0.2 : 1e-9; /* a row is not stretched */
-    snprintf(text, sizeof text, fabs(math_log(drawing->room.stretch)) < least ? "to scale" : "height × %s",
-             text_rounded(drawing->room.stretch, 2).text);
-    picture_note(drawing->picture, STYLE_NORMAL, text);
+    picture_note(drawing->picture, STYLE_NORMAL,
+                 fabs(math_log(drawing->room.stretch)) < least ? "to scale" : "height × %s",
+                 text_rounded(drawing->room.stretch, 2).text);
     snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm",
              text_rounded(1e-9 * settings_material(settings)->youngs_modulus, 4).text,
              text_rounded(settings_material(settings)->density, 5).text,
@@ -278,14 +278,14 @@ static void add_notes(const Drawing *drawing)
     if (settings_loads(settings)->body_force != 0)
         text_append(text, sizeof text, "  body force %s m/s²",
                     text_rounded(settings_loads(settings)->body_force, 4).text);
-    picture_note(drawing->picture, STYLE_FAINT, text);
+    picture_note(drawing->picture, STYLE_FAINT, "%s", text);
 }
 
 void map_drawing(const Screen *screen, Picture *picture)
 {
-    const Settings *settings = experiment_settings(screen->experiment);
+    const Settings *settings = screen_settings(screen);
     Drawing drawing = {.settings = settings, .scene = map_scene(settings), .picture = picture};
-    if (!body_of(experiment_simulation(screen->experiment), &drawing.body))
+    if (!body_of(screen_simulation(screen), &drawing.body))
         return;
     drawing.room.around = drawing.scene.around;
     drawing.room.size[0] = drawing.body.size[0];
@@ -306,9 +306,7 @@ void map_drawing(const Screen *screen, Picture *picture)
     if (!picture_lay_drawing(picture, &drawing.room))
         return;
     screen_time_text(screen, 0, picture->time, sizeof picture->time);
-    char title[96];
-    snprintf(title, sizeof title, "the %s at t = 0", settings->problem->body);
-    picture_heading(picture, title);
+    picture_heading(picture, "the %s at t = 0", settings->problem->body);
     add_parts(&drawing);
     add_notes(&drawing);
 }

@@ -165,11 +165,8 @@ static void lay(Map *map)
 
 bool map_open(Map *map, const Screen *screen, Picture *picture)
 {
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    *map = (Map){.screen = screen,
-                 .sim = sim,
-                 .settings = experiment_settings(screen->experiment),
-                 .picture = picture};
+    const Simulation *sim = screen_simulation(screen);
+    *map = (Map){.screen = screen, .sim = sim, .settings = screen_settings(screen), .picture = picture};
     if (picture->body[0] < 4 || picture->body[1] < 2 || !body_of(sim, &map->body))
         return false;
     map->scene = map_scene(map->settings);
@@ -329,7 +326,7 @@ void map_add_velocities(Map *map)
     }
     char text[64] = "arrows: velocity, the longest";
     text_append(text, sizeof text, " %s", text_rounded(fastest, 3).text);
-    picture_note(map->picture, STYLE_FAINT, text);
+    picture_note(map->picture, STYLE_FAINT, "%s", text);
 }
 
 /* The outline of the body that is being moved, of a round one its circle. */

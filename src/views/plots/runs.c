@@ -187,8 +187,8 @@ void runs_ghost_names(const Screen *screen, int columns, char *out, size_t size)
 int runs_note_findings(const Screen *screen, Picture *picture)
 {
     Finding findings[FINDINGS_MAX];
-    const int count = references_findings(experiment_references(screen->experiment),
-                                          experiment_simulation(screen->experiment), findings);
+    const int count =
+        references_findings(experiment_references(screen->experiment), screen_simulation(screen), findings);
     for (int i = 0; i < count; i++) {
         char text[160], brief[160];
         findings_text(&findings[i], 1, screen_shows_exact(screen), text, sizeof text);

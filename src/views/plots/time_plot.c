@@ -46,7 +46,7 @@ void time_plot_axes(const Screen *screen, Picture *picture, Axis y, const char *
     x.moves = true;
     picture_axes(picture, x, "t", facts->si ? facts->unit_of_time : "", y, name, unit);
     /* What changes the motion at once is marked in plots too. */
-    const double dt = experiment_simulation(screen->experiment)->dt;
+    const double dt = screen_simulation(screen)->dt;
     int count;
     const Event *events = experiment_events(screen->experiment, &count);
     for (int i = 0; i < count; i++)
@@ -104,7 +104,7 @@ void time_plot_range_to_come(const Screen *screen, double least[COLUMNS_MAX], do
     enum { TIMES = 96 };
     int n;
     experiment_columns(screen->experiment, &n);
-    const Simulation *sim = experiment_simulation(screen->experiment);
+    const Simulation *sim = screen_simulation(screen);
     References *refs = experiment_references(screen->experiment);
     const long last = experiment_last_step(screen->experiment);
     double from, to, nothing[COLUMNS_MAX] = {0}, earlier[COLUMNS_MAX] = {0}, row[COLUMNS_MAX];
