@@ -205,11 +205,17 @@ void edit_begin(Laboratory *lab)
         return;
     }
     settings_get(laboratory_settings(lab), parameter, lab->parameters.edit.text);
-    lab->parameters.edit.cursor = glyphs_count(lab->parameters.edit.text);
-    lab->parameters.edit.problem[0] = '\0';
-    lab->parameters.edit.open = true;
-    lab->editing.fresh = true;
-    lab->editing.accept = accept_value;
+    edit_open_field(lab, accept_value, true);
+}
+
+void edit_open_field(Laboratory *lab, bool (*accept)(Laboratory *, Status *), bool fresh)
+{
+    FieldEdit *edit = &lab->parameters.edit;
+    edit->cursor = glyphs_count(edit->text);
+    edit->problem[0] = '\0';
+    edit->open = true;
+    lab->editing.fresh = fresh;
+    lab->editing.accept = accept;
 }
 
 /* True: taken, the editor is closed. */

@@ -30,6 +30,8 @@ void edit_move(Laboratory *, int rows); /* the choice */
 
 void edit_nudge(Laboratory *, int direction, bool fine);
 void edit_begin(Laboratory *); /* opens the field; of a choice: takes the next one */
+/* Opens it with the text that is in it. `fresh`: a first character replaces that. */
+void edit_open_field(Laboratory *, bool (*accept)(Laboratory *, Status *), bool fresh);
 void edit_key(Laboratory *, const Key *);
 bool edit_answer_filter(Laboratory *, const char *text);
 

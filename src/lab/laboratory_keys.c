@@ -108,8 +108,7 @@ static void click(Laboratory *lab, int x, int y)
     const long step = screen_timeline_step(screen, lab->width, lab->height, x, y);
     if (step >= 0) {
         lab->held.drag = DRAG_TIME;
-        player_pause(lab);
-        player_seek(lab, step, 0);
+        player_go_to(lab, step);
         return;
     }
     for (int pane = 0; pane < PANE_COUNT; pane++)

@@ -96,6 +96,12 @@ void player_seek(Laboratory *lab, long step, int stage)
     player_settle(lab);
 }
 
+void player_go_to(Laboratory *lab, long step)
+{
+    player_pause(lab);
+    player_seek(lab, step, 0);
+}
+
 void player_forget_rates(Player *player)
 {
     memset(player->rates, 0, sizeof player->rates);

@@ -57,6 +57,7 @@ double player_next_125(double value, int direction);  /* the next number of 1, 2
 void player_settle(Laboratory *);
 void player_pause(Laboratory *);
 void player_seek(Laboratory *, long step, int stage);
+void player_go_to(Laboratory *, long step); /* paused */
 
 /* A run that goes on, now or later, pauses there and says so; whatever else moves it in time, the stop stays
  * until it is reached or passed. STOP_NEVER: nothing stops it. */

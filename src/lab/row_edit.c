@@ -125,23 +125,6 @@ static bool accept(Laboratory *lab, Status *status)
     return true;
 }
 
-static void open_field(Laboratory *lab, int kind, int row)
-{
-    FieldEdit *edit = &lab->parameters.edit;
-    const Settings *settings = laboratory_settings(lab);
-    char values[ROW_TEXT_MAX];
-    settings_row_show(settings, kind, row, values);
-    edit->text[0] = '\0';
-    if (!row_kinds[kind].usual)
-        text_append(edit->text, sizeof edit->text, "%s = ", settings->rows[kind].rows[row].name);
-    text_append(edit->text, sizeof edit->text, "%s", values);
-    edit->cursor = glyphs_count(edit->text);
-    edit->problem[0] = '\0';
-    edit->open = true;
-    lab->editing.fresh = false;
-    lab->editing.accept = accept;
-}
-
 static bool accept_value(Laboratory *lab, Status *status)
 {
     RowPlace place;
@@ -156,19 +139,23 @@ void row_edit_begin(Laboratory *lab)
     RowPlace place;
     if (!screen_selected_row(&lab->screen, &place))
         return;
+    const Settings *settings = laboratory_settings(lab);
+    FieldEdit *edit = &lab->parameters.edit;
+    char values[ROW_TEXT_MAX];
     if (place.value) {
-        /* One value of a row; a first character replaces it. */
-        FieldEdit *edit = &lab->parameters.edit;
-        const Settings *settings = laboratory_settings(lab);
         text_shortest(edit->text, settings_row_value(settings, place.kind, place.row, place.value - 1));
-        edit->cursor = glyphs_count(edit->text);
-        edit->problem[0] = '\0';
-        edit->open = lab->editing.fresh = true;
-        lab->editing.accept = accept_value;
+        edit_open_field(lab, accept_value, true);
     } else if (place.row == ROW_NEW)
         row_edit_add(lab);
-    else
-        open_field(lab, place.kind, place.row);
+    else {
+        settings_row_show(settings, place.kind, place.row, values);
+        edit->text[0] = '\0';
+        if (!row_kinds[place.kind].usual)
+            text_append(edit->text, sizeof edit->text,
+                        "%s = ", settings->rows[place.kind].rows[place.row].name);
+        text_append(edit->text, sizeof edit->text, "%s", values);
+        edit_open_field(lab, accept, false);
+    }
 }
 
 void row_edit_nudge(Laboratory *lab, int direction, bool fine)

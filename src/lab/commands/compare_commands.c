@@ -66,12 +66,17 @@ void command_pin(Laboratory *lab)
         laboratory_tell(lab, "the ghost of these curves is gone");
 }
 
-static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings *to, int *n_to,
-                          const char *none, const char *done)
+/* Back (by -1) or forth through what has been changed. */
+void command_undo(Laboratory *lab, int by)
 {
+    const bool back = by < 0;
+    Editing *editing = &lab->editing;
+    Settings *from = back ? editing->undo : editing->redo, *to = back ? editing->redo : editing->undo;
+    int *n_from = back ? &editing->n_undo : &editing->n_redo,
+        *n_to = back ? &editing->n_redo : &editing->n_undo;
     Status status = {STATUS_DONE, ""};
     if (*n_from == 0) {
-        laboratory_tell(lab, "%s", none);
+        laboratory_tell(lab, "nothing to %s", back ? "undo" : "redo");
         return;
     }
     Settings old = *laboratory_settings(lab);
@@ -86,19 +91,7 @@ static void swap_settings(Laboratory *lab, Settings *from, int *n_from, Settings
     edit_changed(lab);
     player_tell_duel_over(lab, &status);
     if (lab->message.kind == MESSAGE_NONE)
-        laboratory_tell(lab, "%s: %s", done, change);
-}
-
-void command_undo(Laboratory *lab)
-{
-    swap_settings(lab, lab->editing.undo, &lab->editing.n_undo, lab->editing.redo, &lab->editing.n_redo,
-                  "nothing to undo", "undone");
-}
-
-void command_redo(Laboratory *lab)
-{
-    swap_settings(lab, lab->editing.redo, &lab->editing.n_redo, lab->editing.undo, &lab->editing.n_undo,
-                  "nothing to redo", "done again");
+        laboratory_tell(lab, "%s: %s", back ? "undone" : "done again", change);
 }
 
 /* The duel: a second run beside the first one. */

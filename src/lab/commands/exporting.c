@@ -86,6 +86,22 @@ static bool show_progress(double share, void *context)
     return laboratory_work(context, "exporting %d %%   ^C cancels", (int)(100 * share));
 }
 
+static bool answer_replace(Laboratory *lab, const char *text)
+{
+    (void)text;
+    return lab->exporting.write(lab, true);
+}
+
+/* Writes what is named, or asks first where `existing` would be replaced; "": nothing would. */
+static bool write_or_ask(Laboratory *lab, bool (*write)(Laboratory *, bool force), const char *existing)
+{
+    lab->exporting.write = write;
+    if (!*existing)
+        return write(lab, false);
+    prompt_ask_replace(lab, answer_replace, existing);
+    return true;
+}
+
 /* The stages of a step of a run that is looked into; 0: it stands between steps, or is written to its end. */
 static int stages_of(const Laboratory *lab, int run)
 {
@@ -133,15 +149,15 @@ static long steps_of(const Laboratory *lab, int run)
                                  : experiment_step(experiment) + (stages_of(lab, run) > 0);
 }
 
-static void write_export(Laboratory *lab, bool force)
+static bool write_export(Laboratory *lab, bool force)
 {
     char paths[EXPORTS][PATH_BYTES];
     RunSummary first, second = {0};
     if (!exporting_allowed(lab, lab->exporting.name))
-        return;
+        return true;
     const bool both = steps_of(lab, 1) > 0;
     if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
-        return;
+        return true;
     if (stages_of(lab, 0) == 0) /* else the run itself is not written */
         lab->editing.changed = false;
     file_names(&lab->player.duel, 0, lab->exporting.name, paths);
@@ -159,12 +175,6 @@ static void write_export(Laboratory *lab, bool force)
                    whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "",
                    stages_of(lab, 0) > 0 ? " after this stage" : "", beside);
     free(whole);
-}
-
-static bool answer_replace(Laboratory *lab, const char *text)
-{
-    (void)text;
-    write_export(lab, true);
     return true;
 }
 
@@ -184,11 +194,7 @@ static bool export_named(Laboratory *lab, const char *text)
     if (!exporting_name_fits(lab, paths[0]))
         return false;
     find_existing(&lab->player.duel, lab->exporting.name, found);
-    if (found[0])
-        prompt_ask_replace(lab, answer_replace, found);
-    else
-        write_export(lab, false);
-    return true;
+    return write_or_ask(lab, write_export, found);
 }
 
 /* --- how much it will be ---------------------------------------------------------------------------- */
@@ -326,12 +332,6 @@ static bool write_figure(Laboratory *lab, bool force)
     return true;
 }
 
-static bool answer_replace_figure(Laboratory *lab, const char *text)
-{
-    (void)text;
-    return write_figure(lab, true);
-}
-
 /* The view that the first word names, where a file stands behind it; the rest is the file. */
 static const View *take_view(const Screen *screen, const char **words)
 {
@@ -373,10 +373,7 @@ bool exporting_figure(Laboratory *lab, const char *words)
     snprintf(name, sizeof name, "%s", file); /* the text may be the name already */
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
     lab->exporting.view = view;
-    if (access(name, F_OK) != 0)
-        return write_figure(lab, false);
-    prompt_ask_replace(lab, answer_replace_figure, name);
-    return true;
+    return write_or_ask(lab, write_figure, access(name, F_OK) == 0 ? name : "");
 }
 
 /* Writing the scenario as a file, and what every answer that names a file is asked first. */
@@ -397,8 +394,9 @@ bool exporting_name_fits(Laboratory *lab, const char *name)
 }
 
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
-static bool write_scenario(Laboratory *lab, const char *name)
+static bool write_scenario(Laboratory *lab, bool force)
 {
+    const char *name = lab->exporting.name;
     const Experiment *experiment = laboratory_run(lab);
     Status status = {STATUS_DONE, ""};
     Settings settings;
@@ -410,6 +408,7 @@ static bool write_scenario(Laboratory *lab, const char *name)
         settings.n_duel = lab->player.duel.n_keys;
     }
     OutputFile file = {0};
+    (void)force; /* what is a device is there always */
     if (!exporting_allowed(lab, name))
         return true;
     const bool sound = output_open(&file, lab->asker, name, true, &status) &&
@@ -424,23 +423,14 @@ static bool write_scenario(Laboratory *lab, const char *name)
     return true;
 }
 
-static bool answer_replace_scenario(Laboratory *lab, const char *text)
-{
-    (void)text;
-    return write_scenario(lab, lab->exporting.name);
-}
-
 bool exporting_scenario(Laboratory *lab, const char *text)
 {
     if (!text[0] || output_is_standard(text))
         return prompt_refuse(lab, "a file name is wanted");
     if (!exporting_name_fits(lab, text))
         return false;
-    if (access(text, F_OK) != 0 || output_is_direct(text))
-        return write_scenario(lab, text);
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", text);
-    prompt_ask_replace(lab, answer_replace_scenario, text);
-    return true;
+    return write_or_ask(lab, write_scenario, access(text, F_OK) == 0 && !output_is_direct(text) ? text : "");
 }
 
 static const Typing file_typing = {.offer = complete_files, .retyped = true};

@@ -117,8 +117,7 @@ static bool enter_row(Laboratory *lab, const View *view)
     char line[FOLLOW_TEXT_MAX + 8] = "plot ";
     const long step = view_enter(view, &lab->screen, line + strlen(line));
     if (step >= 0) {
-        player_pause(lab);
-        player_seek(lab, step, 0);
+        player_go_to(lab, step);
     } else if (lesson_entry_page(lab)) {
         return false;
     } else if (line[strlen("plot ")] && !lab->run_line(lab, line)) {
@@ -139,8 +138,7 @@ void command_enter(Laboratory *lab)
         edit_begin(lab);
         row_edit_begin(lab);
     } else if (view && view->has_time_axis && !isnan(screen->time.cursor)) {
-        player_pause(lab);
-        player_seek(lab, lround(screen->time.cursor / laboratory_simulation(lab)->dt), 0);
+        player_go_to(lab, lround(screen->time.cursor / laboratory_simulation(lab)->dt));
         screen->time.cursor = NAN;
     } else if (!(view && view->is_list && enter_row(lab, view)) && lesson_entry_page(lab)) {
         lesson_play_enter(lab);

@@ -158,14 +158,12 @@ void command_pace(Laboratory *lab, int direction)
 
 void command_to_start(Laboratory *lab)
 {
-    player_pause(lab);
-    player_seek(lab, 0, 0);
+    player_go_to(lab, 0);
 }
 
 void command_to_newest(Laboratory *lab)
 {
-    player_pause(lab);
-    player_seek(lab, experiment_newest(laboratory_run(lab)), 0);
+    player_go_to(lab, experiment_newest(laboratory_run(lab)));
 }
 
 bool command_answer_go_to(Laboratory *lab, const char *text)
@@ -187,8 +185,7 @@ bool command_answer_go_to(Laboratory *lab, const char *text)
         return prompt_refuse(lab, "the run goes from 0 to %s (#0 to #%ld)",
                              text_rounded((double)last * dt, 6).text, last);
     }
-    player_pause(lab);
-    player_seek(lab, step, 0);
+    player_go_to(lab, step);
     return true;
 }
 

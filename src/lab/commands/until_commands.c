@@ -27,8 +27,7 @@ static bool go_to_first(Laboratory *lab, const Stop *stop)
     const Event *events = experiment_events(laboratory_run(lab), &count);
     for (int i = 0; i < count; i++)
         if (stop->events >> events[i].kind & 1) {
-            player_pause(lab);
-            player_seek(lab, events[i].step, 0);
+            player_go_to(lab, events[i].step);
             laboratory_tell(lab, "step %ld: %s", events[i].step, events[i].text);
             return true;
         }
@@ -56,8 +55,7 @@ bool command_answer_until(Laboratory *lab, const char *text)
         return true;
     const long step = stop_step(&stop, experiment);
     if (step >= 0 && step <= experiment_step(experiment)) {
-        player_pause(lab);
-        player_seek(lab, step, 0);
+        player_go_to(lab, step);
     } else if (experiment_at_end(experiment) || lab->player.playback.state == STATE_FAILED)
         return prompt_refuse(lab, "the run is at its end: r begins it again");
     else
@@ -71,8 +69,7 @@ bool command_answer_until(Laboratory *lab, const char *text)
 static void go_to_event(Laboratory *lab, const Event *events, int at, int count)
 {
     const long step = events[at].step;
-    player_pause(lab);
-    player_seek(lab, step, 0);
+    player_go_to(lab, step);
     laboratory_tell(lab, "event %d of %d: %s", at + 1, count, events[at].text);
 }
 

@@ -101,11 +101,6 @@ static bool set(Laboratory *lab, const char *words)
                : prompt_refuse(lab, "%s", status.text);
 }
 
-static bool export_as(Laboratory *lab, const char *words)
-{
-    return exporting_ask(lab, words);
-}
-
 /* The next word, or what stands between quotes; false: there is none. */
 static bool take_word(const char **words, char *out, size_t size)
 {
@@ -179,7 +174,7 @@ static int variant_of(const View *view, const Screen *screen, const char *which)
 
 static bool show(Laboratory *lab, const char *words)
 {
-    char word[32] = "", which[32] = "", known[160], why[256];
+    char word[32] = "", which[32] = "", known[160];
     int first = 0, second = 0;
     const bool sound = sscanf(words, "%31s%n", word, &first) == 1 &&
                        (!words[first] || sscanf(words + first, "%31s%n", which, &second) == 1) &&
@@ -187,10 +182,9 @@ static bool show(Laboratory *lab, const char *words)
     const View *view = view_named(word);
     const int variant = !view || !which[0] ? 1 : variant_of(view, &lab->screen, which);
     view_names(known, sizeof known);
-    snprintf(why, sizeof why, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2",
-             known);
     if (!sound || !view || variant < 1)
-        return prompt_refuse(lab, "%s", why);
+        return prompt_refuse(
+            lab, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2", known);
     if (view_missing(view, &lab->screen))
         return prompt_refuse(lab, "%s", view_missing(view, &lab->screen));
     command_show_view(lab, view);
@@ -202,11 +196,10 @@ static bool show(Laboratory *lab, const char *words)
 static bool tell(Laboratory *lab, const char *words)
 {
     Words told = {.text = NULL};
-    char known[256], why[300];
+    char known[256];
     tell_names(known, sizeof known);
-    snprintf(why, sizeof why, "tell what? (%s)", known);
     if (!tell_named(&lab->screen, words, &told))
-        return prompt_refuse(lab, "%s", why);
+        return prompt_refuse(lab, "tell what? (%s)", known);
     for (char *end = told.text; end && !lab->host.tell && (end = strchr(end, '\n'));)
         *end = ' ';
     if (told.text && lab->host.tell)
@@ -238,17 +231,16 @@ static bool sheet(Laboratory *lab, const char *words)
 }
 
 /* Which of one of the simulation's sets: particles, nodes. */
-static bool choose(Laboratory *lab, const char *words, int set, const char *what, size_t *chosen)
+static bool choose(Laboratory *lab, const char *words, int set)
 {
+    static const char *const what[] = {"particle", "node"};
     const Simulation *sim = laboratory_simulation(lab);
     const long count = set < sim->n_sets ? (long)sim->counts[set] : 0;
     long number;
-    char why[64];
-    snprintf(why, sizeof why, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run", what,
-             count - 1);
     if (!text_to_long(words, &number) || number < 0 || number >= count)
-        return prompt_refuse(lab, "%s", why);
-    *chosen = (size_t)number;
+        return prompt_refuse(lab, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run",
+                             what[set], count - 1);
+    *(set ? &lab->screen.chosen.node : &lab->screen.chosen.particle) = (size_t)number;
     lab->screen.chosen.is_node = set > 0;
     return true;
 }
@@ -278,16 +270,6 @@ static bool help_on(Laboratory *lab, const char *words)
         return prompt_refuse(
             lab, "help on what? (a command, a word behind :, a view, a parameter or a scenario; all)");
     return true;
-}
-
-static bool particle(Laboratory *lab, const char *words)
-{
-    return choose(lab, words, 0, "particle", &lab->screen.chosen.particle);
-}
-
-static bool node(Laboratory *lab, const char *words)
-{
-    return choose(lab, words, 1, "node", &lab->screen.chosen.node);
 }
 
 /* "particle 12 velocity" of "velocity", where that is a field of the chosen thing. */
@@ -336,39 +318,19 @@ static bool plot(Laboratory *lab, const char *words)
     return true;
 }
 
-static bool set_row(Laboratory *lab, int kind, const char *words)
+static bool set_row(Laboratory *lab, const char *words, int kind)
 {
     Status status = {STATUS_DONE, ""};
     return row_edit_line(lab, kind, words, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
-static bool cut(Laboratory *lab, const char *words)
-{
-    return set_row(lab, ROWS_CUTS, words);
-}
-
-static bool load(Laboratory *lab, const char *words)
-{
-    return set_row(lab, ROWS_LOADS, words);
-}
-
-static bool support(Laboratory *lab, const char *words)
-{
-    return set_row(lab, ROWS_SUPPORTS, words);
-}
-
-static bool impulse(Laboratory *lab, const char *words)
-{
-    return set_row(lab, ROWS_IMPULSES, words);
-}
-
-static bool protect(Laboratory *lab, const char *words)
-{
-    return set_row(lab, ROWS_PROTECTED, words);
-}
-
-#define LINE(id, function, ...) [LINE_##id] = function,
-static bool (*const verbs[LINE_COUNT])(Laboratory *, const char *words) = {
+#define LINE(id, function, ...)        [LINE_##id] = {function, NULL, 0},
+#define LINE_BY(id, function, by, ...) [LINE_##id] = {NULL, function, by},
+static const struct {
+    bool (*run)(Laboratory *, const char *words);
+    bool (*run_by)(Laboratory *, const char *words, int by); /* in place of it */
+    int by;
+} verbs[LINE_COUNT] = {
 #include "help/line_rows.inc"
 };
 #undef LINE
@@ -422,8 +384,11 @@ bool line_run(Laboratory *lab, const char *text)
 {
     const LineMeaning line = line_meaning(text);
     switch (line.kind) {
-    case LINE_VERB:
-        return verbs[line.verb->id](lab, line.words);
+    case LINE_VERB: {
+        const LineVerbId id = line.verb->id;
+        return verbs[id].run ? verbs[id].run(lab, line.words)
+                             : verbs[id].run_by(lab, line.words, verbs[id].by);
+    }
     case LINE_COMMAND:
         lab->carry_out(lab, line.command->id);
         return true;

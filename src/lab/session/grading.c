@@ -277,8 +277,7 @@ static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *
     for (int i = 0; i < page->solution.n_actions; i++)
         if (!run_line(lab, page->solution.actions[i], status))
             return false;
-    player_pause(lab);
-    player_seek(lab, experiment_last_step(laboratory_run(lab)), 0);
+    player_go_to(lab, experiment_last_step(laboratory_run(lab)));
     for (bool any = true; goes_on && (any || lab->player.playback.state == STATE_COMPUTING); any = false)
         goes_on = frame(grader);
     grade->mark = lab->homework.marks[grade->page];

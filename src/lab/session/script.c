@@ -138,8 +138,9 @@ static bool press(Script *script, const char *name, double seconds, Status *stat
 
 /* --- instructions ----------------------------------------------------------------------------------- */
 
-static bool do_key(Script *script, char *rest, Status *status)
+static bool do_key(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
+    (void)row;
     char *place;
     for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
         if (!keys_known(name))
@@ -150,27 +151,19 @@ static bool do_key(Script *script, char *rest, Status *status)
     return true;
 }
 
-static bool press_mouse(Script *script, const char *word, const char *name, const char *rest, Status *status)
+static bool do_mouse(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
+    const bool click = row->by;
     int x, y;
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
-        return status_refuse(status, "%s: a column and a row are wanted, not: %s", word, rest);
-    return press_at(script, name, x, y, KEY_SECONDS, status);
+        return status_refuse(status, "%s: a column and a row are wanted, not: %s", row->name, rest);
+    return press_at(script, click ? "Click" : "Drag", x, y, KEY_SECONDS, status);
 }
 
-static bool do_click(Script *script, char *rest, Status *status)
+static bool do_type(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
-    return press_mouse(script, "click", "Click", rest, status);
-}
-
-static bool do_drag(Script *script, char *rest, Status *status)
-{
-    return press_mouse(script, "drag", "Drag", rest, status);
-}
-
-static bool do_type(Script *script, char *rest, Status *status)
-{
+    (void)row;
     while (*rest) {
         char name[8];
         size_t length = 1;
@@ -185,8 +178,9 @@ static bool do_type(Script *script, char *rest, Status *status)
 }
 
 /* In front of a class nobody can follow more than a few keys. */
-static bool do_scene(Script *script, char *rest, Status *status)
+static bool do_scene(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
+    (void)row;
     if (!*rest || strlen(rest) >= sizeof script->scene)
         return status_refuse(status, "scene: a short name is wanted, not: %s", rest);
     snprintf(script->scene, sizeof script->scene, "%s", rest);
@@ -194,8 +188,9 @@ static bool do_scene(Script *script, char *rest, Status *status)
     return true;
 }
 
-static bool do_wait(Script *script, char *rest, Status *status)
+static bool do_wait(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
+    (void)row;
     double seconds;
     char end;
     if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
@@ -203,8 +198,9 @@ static bool do_wait(Script *script, char *rest, Status *status)
     return frames_until(script, script->time + seconds, status) && draw(script, status);
 }
 
-static bool do_size(Script *script, char *rest, Status *status)
+static bool do_size(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
+    (void)row;
     int size[2];
     if (!text_to_size(rest, 1, SCRIPT_CELLS_MAX, size))
         return status_refuse(status, "size: not a size: %s (as in 80x24; at most %d each)", rest,
@@ -214,31 +210,34 @@ static bool do_size(Script *script, char *rest, Status *status)
     return draw(script, status);
 }
 
-static bool do_rate(Script *script, char *rest, Status *status)
+static bool read_number(const ScriptInstruction *row, const char *rest, double *number, Status *status)
 {
-    char end;
-    if (sscanf(rest, "%lf%c", &script->rate, &end) != 1 || script->rate < 0)
-        return status_refuse(status, "rate: not a number of steps: %s", rest);
+    return (text_to_double(rest, number) && *number >= 0) ||
+           status_refuse(status, "%s: not a number of %s: %s", row->name,
+                         strcmp(row->arguments, "STEPS") == 0 ? "steps" : "seconds", rest);
+}
+
+static bool do_rate(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+{
+    if (!read_number(row, rest, &script->rate, status))
+        return false;
     for (int i = 0; i < RATES; i++)
         script->lab.player.rates[i] = script->rate;
     return true;
 }
 
-static bool do_cancel_after(Script *script, char *rest, Status *status)
+static bool do_cancel_after(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
-    char end;
-    if (sscanf(rest, "%lf%c", &script->cancel, &end) != 1 || !(script->cancel >= 0))
-        return status_refuse(status, "cancel-after: not a number of seconds: %s", rest);
-    return true;
+    return read_number(row, rest, &script->cancel, status);
 }
 
-static bool print(Script *script, const char *name, bool styles, Status *status)
+static bool do_print(Script *script, const ScriptInstruction *row, char *name, Status *status)
 {
     if (!draw(script, status))
         return false;
     if (script->camera) /* it is in the film */
         return true;
-    char *text = styles ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
+    char *text = row->by ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
     if (!text)
         return status_fail(status, "out of memory");
     if (*name)
@@ -248,18 +247,9 @@ static bool print(Script *script, const char *name, bool styles, Status *status)
     return true;
 }
 
-static bool do_screen(Script *script, char *rest, Status *status)
+static bool do_look_for(Script *script, const ScriptInstruction *row, char *text, Status *status)
 {
-    return print(script, rest, false, status);
-}
-
-static bool do_styles(Script *script, char *rest, Status *status)
-{
-    return print(script, rest, true, status);
-}
-
-static bool look_for(Script *script, const char *text, bool wanted, Status *status)
-{
+    const bool wanted = row->by;
     if (!draw(script, status))
         return false;
     char *dump = canvas_dump(&script->canvas);
@@ -274,43 +264,33 @@ static bool look_for(Script *script, const char *text, bool wanted, Status *stat
     return status_fail(status, "'%s' is %s", text, found ? "on the screen" : "not on the screen");
 }
 
-static bool do_expect(Script *script, char *rest, Status *status)
+static bool do_closed(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
-    return look_for(script, rest, true, status);
-}
-
-static bool do_reject(Script *script, char *rest, Status *status)
-{
-    return look_for(script, rest, false, status);
-}
-
-static bool do_closed(Script *script, char *rest, Status *status)
-{
-    (void)rest;
+    (void)row, (void)rest;
     return script->lab.closed || status_fail(status, "the laboratory is still open");
 }
 
 const ScriptInstruction script_instructions[] = {
-    {"key", "NAME...", "presses keys by name: Space, Enter, ^C, ], ...", do_key},
-    {"type", "TEXT", "presses the characters of the text one by one", do_type},
-    {"click", "X Y", "presses the mouse in a column and a row, from 0", do_click},
-    {"drag", "X Y", "moves the mouse there, its button still pressed", do_drag},
+    {"key", "NAME...", "presses keys by name: Space, Enter, ^C, ], ...", do_key, false},
+    {"type", "TEXT", "presses the characters of the text one by one", do_type, false},
+    {"click", "X Y", "presses the mouse in a column and a row, from 0", do_mouse, true},
+    {"drag", "X Y", "moves the mouse there, its button still pressed", do_mouse, false},
     {"scene", "NAME",
      "a scene of a lecture begins; until the next one not more than four keys and clicks are pressed",
-     do_scene},
-    {"wait", "SECONDS", "lets that much time pass, frame by frame", do_wait},
-    {"size", "WIDTHxHEIGHT", "resizes the screen", do_size},
+     do_scene, false},
+    {"wait", "SECONDS", "lets that much time pass, frame by frame", do_wait, false},
+    {"size", "WIDTHxHEIGHT", "resizes the screen", do_size, false},
     {"rate", "STEPS", "the engine does that many steps in a second; 0, as at first: as many as are asked for",
-     do_rate},
+     do_rate, false},
     {"cancel-after", "SECONDS",
      "work that is not cut into frames is given up after so long, as by ^C; 0, as at first: never",
-     do_cancel_after},
-    {"screen", "[NAME]", "prints the screen, under a line with the name", do_screen},
-    {"styles", "[NAME]", "prints its styles, one letter a cell", do_styles},
-    {"expect", "TEXT", "the text is on the screen, within one line", do_expect},
-    {"reject", "TEXT", "the text is not on the screen", do_reject},
-    {"closed", "", "the laboratory has been left", do_closed},
-    {NULL, NULL, NULL, NULL},
+     do_cancel_after, false},
+    {"screen", "[NAME]", "prints the screen, under a line with the name", do_print, false},
+    {"styles", "[NAME]", "prints its styles, one letter a cell", do_print, true},
+    {"expect", "TEXT", "the text is on the screen, within one line", do_look_for, true},
+    {"reject", "TEXT", "the text is not on the screen", do_look_for, false},
+    {"closed", "", "the laboratory has been left", do_closed, false},
+    {NULL, NULL, NULL, NULL, false},
 };
 
 static bool play_line(Script *script, char *line, Status *status)
@@ -323,7 +303,7 @@ static bool play_line(Script *script, char *line, Status *status)
     char *rest = line + length + (line[length] == ' ');
     for (const ScriptInstruction *row = script_instructions; row->name; row++)
         if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
-            return row->run(script, rest, status);
+            return row->run(script, row, rest, status);
     char known[256] = "";
     for (const ScriptInstruction *row = script_instructions; row->name; row++)
         text_or(known, sizeof known, row->name);

@@ -120,11 +120,6 @@ static bool read_lesson(Session *session, const char *text, Status *status)
                                                  : status_refuse(status, "the lesson's name is too long");
 }
 
-static bool read_student(Session *session, const char *text, Status *status)
-{
-    return variant_student(text, session->student, status);
-}
-
 static bool read_sheet(Session *session, const char *text, Status *status)
 {
     const int sheet = text_place_in(text, parameter_sheet_words);
@@ -132,17 +127,14 @@ static bool read_sheet(Session *session, const char *text, Status *status)
     return sheet >= 0 || status_refuse(status, "not a sheet (sheet plain, sheet full)");
 }
 
-static bool read_id(Session *session, const char *text, Status *status)
-{
-    return variant_student(text, session->id, status);
-}
-
 /* What a session says of its origin: a word, then a text. */
 static const struct {
     const char *word;
     bool (*read)(Session *, const char *text, Status *);
-} origins[] = {{"lesson ", read_lesson},  {"student ", read_student}, {"id ", read_id},
-               {"sheet ", read_sheet},    {"version ", read_version}, {"check ", read_check},
+} origins[] = {{"lesson ", read_lesson},
+               {"sheet ", read_sheet},
+               {"version ", read_version},
+               {"check ", read_check},
                {"reached ", read_reached}};
 
 /* One line; those of the scenario go on to `scenario`. */
@@ -165,6 +157,10 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
     }
     if (strncmp(line, "scenario ", 9) == 0 && line[9] && strlen(line + 9) < sizeof session->scenario)
         return strcpy(session->scenario, line + 9);
+    if (strncmp(line, "student ", 8) == 0 && line[8])
+        return variant_student(line + 8, session->student, status);
+    if (strncmp(line, "id ", 3) == 0 && line[3])
+        return variant_student(line + 3, session->id, status);
     for (size_t i = 0; i < sizeof origins / sizeof *origins; i++) {
         const size_t length = strlen(origins[i].word);
         if (strncmp(line, origins[i].word, length) == 0 && line[length])
