@@ -268,18 +268,28 @@ char picture_run_of(const PictureKey *key)
     return key->sign >= 'a' && key->sign <= 'z' ? (char)key->sign : '\0';
 }
 
-PictureNote *picture_note_brief(Picture *picture, Style style, const char *text, const char *brief)
+/* Of what LONG_SHORT() has put there the words or the shorter ones. */
+static void choose_words(const char *text, bool brief, char out[PICTURE_TEXT_MAX])
 {
-    PictureNote *note = picture_note(picture, style, "%s", text);
-    snprintf(note->brief, sizeof note->brief, "%s", brief);
-    return note;
+    enum { BOTH, WORDS, SHORTER, SIGNS } told = BOTH;
+    size_t used = 0;
+    for (; *text; text++)
+        if (*text > 0 && *text <= SIGNS)
+            told = *text % SIGNS;
+        else if ((told == BOTH || told == (brief ? SHORTER : WORDS)) && used + 1 < PICTURE_TEXT_MAX)
+            out[used++] = *text;
+    out[used] = '\0';
 }
 
 PictureNote *picture_note(Picture *picture, Style style, const char *format, ...)
 {
+    char text[2 * PICTURE_TEXT_MAX];
     PictureNote *note = &picture->notes[picture->n_notes];
     *note = (PictureNote){.style = style};
-    WRITE(note->text, format);
+    WRITE(text, format);
+    choose_words(text, false, note->text);
+    if (strpbrk(text, LONG_SHORT("", "")))
+        choose_words(text, true, note->brief);
     picture->n_notes += picture->n_notes < PICTURE_NOTES_MAX;
     return note;
 }

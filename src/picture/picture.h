@@ -396,8 +396,11 @@ void picture_key(Picture *, PictureKey);
 void picture_name(Picture *, Pen, const char *name); /* an entry with a piece of its line */
 char picture_run_of(const PictureKey *);             /* the letter of an earlier run; 0: it is none */
 
-/* Below it; more can be said of the note that is returned. */
+/* Of words in a note: what is told, and what instead where room is short. */
+#define LONG_SHORT(words, shorter) "\1" words "\2" shorter "\3"
+
+/* Below it; more can be said of the note that is returned. Its text is told in full or, with the shorter
+ * words that LONG_SHORT() has in it, in brief. */
 PictureNote *picture_note(Picture *, Style, const char *format, ...) __attribute__((format(printf, 3, 4)));
-PictureNote *picture_note_brief(Picture *, Style, const char *text, const char *brief); /* in short too */
 
 #endif

@@ -156,8 +156,8 @@ bool view_map_small(const Screen *, Picture *);
 /* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
 void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
 
-/* Two lines that tell what a beam's run is judged by, for a pane of so many columns; false: it is a bar,
- * or comes to rest: its findings tell more. */
-bool beam_lines(const Screen *, bool narrow, char first[160], char second[160]);
+/* Two notes that tell what a beam's run is judged by; false: it is a bar, or comes to rest: its findings tell
+ * more. */
+bool beam_lines(const Screen *, char first[160], char second[160]);
 
 #endif

@@ -160,21 +160,18 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     map_add_signs(&map);
     note_how(&map);
     /* What its lines and bars are. */
-    static const struct {
-        const char *text, *brief;
-    } notes[] = {{"bars: mass, |momentum - m v0|", "bars: m, |p - m v0|"},
-                 {"bars: mass, |momentum|", "bars: m, |p|"},
-                 {"lines: whole bonds to the nearest neighbours", "lines: whole bonds"},
-                 {"a through crack reads 0.4 to 0.5, not 1", "through: 0.4-0.5"},
-                 {"", ""}};
+    static const char *const notes[] = {
+        LONG_SHORT("bars: mass, |momentum - m v0|", "bars: m, |p - m v0|"),
+        LONG_SHORT("bars: mass, |momentum|", "bars: m, |p|"),
+        LONG_SHORT("lines: whole bonds to the nearest neighbours", "lines: whole bonds"),
+        LONG_SHORT("a through crack reads 0.4 to 0.5, not 1", "through: 0.4-0.5"), ""};
     const bool damage = strcmp(map.colouring->field, "damage") == 0;
     const int which = map_has_mesh(&map)   ? fabs(map.sim->common_speed) > 0 ? 0 : 1
                       : map.scene.bodies   ? 4
                       : map.drawn->is_near ? 2
                       : damage             ? 3
                                            : 4;
-    PictureNote *note = picture_note(map.picture, STYLE_FAINT, "%s", notes[which].text);
-    snprintf(note->brief, sizeof note->brief, "%s", notes[which].brief);
+    picture_note(map.picture, STYLE_FAINT, "%s", notes[which]);
     note_facts(&map);
     map_close(&map);
 }

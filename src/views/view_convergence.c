@@ -104,18 +104,20 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
 }
 
 /* Of point k: its size, its answers, its error, the order from the one before; in brief, the last two. */
-static void point_line(const Study *study, int k, bool brief, char out[200])
+static void point_line(const Study *study, int k, char out[200])
 {
     const ConvergencePoint *point = &study->points[k];
     const Prediction *is = &point->prediction;
     const int line = k / study->line_points, in_line = k % study->line_points;
-    const char *name = study->of->lines ? study->of->lines[line] : brief ? "" : study->of->size;
-    snprintf(out, 200, "%s%s%.4g%s", name, *name ? " " : "", shown(study, point->size),
+    snprintf(out, 200, study->of->lines ? "%s %.4g%s" : LONG_SHORT("%s ", "") "%.4g%s",
+             study->of->lines ? study->of->lines[line] : study->of->size, shown(study, point->size),
              study->periods ? " mm" : "");
     if (study->of->paper)
         text_append(out, 200, ", %.1f high", is->real_height / 1e-3);
-    else if (!brief)
-        text_append(out, 200, point->of_mesh ? ", %.0f cells" : ", m %.3g", point->nodes);
+    else if (point->of_mesh)
+        text_append(out, 200, LONG_SHORT(", %.0f cells", ""), point->nodes);
+    else
+        text_append(out, 200, LONG_SHORT(", m %.3g", ""), point->nodes);
     if (!point->known) {
         text_append(out, 200, study->of->by_run ? ": no answer" : ": none can be made");
         return;
@@ -258,10 +260,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         describe_errors(picture, &study);
     picture_note(picture, STYLE_NORMAL, "%s", line);
     for (int k = 0; k < study.known; k++) {
-        char brief[200];
-        point_line(&study, k, false, line);
-        point_line(&study, k, true, brief);
-        picture_note_brief(picture, STYLE_FAINT, line, brief)->spare = true;
+        point_line(&study, k, line);
+        picture_note(picture, STYLE_FAINT, "%s", line)->spare = true;
     }
 }
 

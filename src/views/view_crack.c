@@ -31,7 +31,7 @@ static bool has_crack(const Screen *screen)
 static void note_crack(const Screen *screen, Picture *picture, const char *first)
 {
     char lines[2][160];
-    beam_lines(screen, false, lines[0], lines[1]);
+    beam_lines(screen, lines[0], lines[1]);
     picture_note(picture, STYLE_NORMAL, "%s", *first ? first : lines[0]);
     picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
 }
@@ -262,18 +262,15 @@ static void describe_cost(const Screen *screen, Picture *picture)
         picture_level(picture, price.cost.plane, pen_predicted, "a plane of this lattice");
     }
     const double whole = cost->total / cost->area, length = cost->area / thickness / 1e-3;
-    char text[160], brief[160];
-    snprintf(text, sizeof text, "all %.1f  G0 %.1f, a plane of this lattice %.1f  crack %.1f mm", whole,
-             price.critical_energy, cost->plane, length);
-    snprintf(brief, sizeof brief, "all %.1f  G0 %.1f  plane %.1f  %.1f mm", whole, price.critical_energy,
-             cost->plane, length);
-    picture_note_brief(picture, STYLE_NORMAL, text, brief);
-    snprintf(text, sizeof text, "1 through the path %.1f  2 beside it %.1f", parts[0], parts[1]);
-    snprintf(brief, sizeof brief, "1 through path %.1f  2 beside %.1f", parts[0], parts[1]);
-    picture_note_brief(picture, STYLE_FAINT, text, brief);
-    snprintf(text, sizeof text, "3 further than a horizon %.1f", parts[2]);
-    snprintf(brief, sizeof brief, "3 far off %.1f", parts[2]);
-    picture_note_brief(picture, STYLE_FAINT, text, brief);
+    picture_note(picture, STYLE_NORMAL,
+                 "all %.1f  G0 %.1f" LONG_SHORT(", a plane of this lattice",
+                                                "  plane") " %.1f  " LONG_SHORT("crack ", "") "%.1f mm",
+                 whole, price.critical_energy, cost->plane, length);
+    picture_note(picture, STYLE_FAINT,
+                 "1 through " LONG_SHORT("the ", "") "path %.1f  2 beside " LONG_SHORT("it ", "") "%.1f",
+                 parts[0], parts[1]);
+    picture_note(picture, STYLE_FAINT, "3 " LONG_SHORT("further than a horizon", "far off") " %.1f",
+                 parts[2]);
 }
 
 void crack_cost_describe(const Screen *screen, int variant, Picture *picture)

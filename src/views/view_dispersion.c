@@ -45,19 +45,6 @@ static double integral(const Settings *settings, Influence influence, bool trans
                                      share * M_PI / settings_lattice(settings)->spacing);
 }
 
-/* A wave of ten spacings in words, for the run's own shape. */
-static void tell(const Settings *settings, bool transverse, bool narrow, char out[160])
-{
-    const double share = 0.2;
-    const bool conical = settings_lattice(settings)->influence == INFLUENCE_CONICAL;
-    const Curve *own = &curves[conical ? 2 : 0];
-    snprintf(out, 160,
-             narrow ? "10 dx: 0° %.1f %%, 45° %.1f %%, integral %.1f %%"
-                    : "10 spacings long: 0° %.1f %%, 45° %.1f %%, integral %.1f %%",
-             speed(settings, &own[0], transverse, share), speed(settings, &own[1], transverse, share),
-             integral(settings, own->influence, transverse, share));
-}
-
 /* Speed of waves that press (or, transverse, shear) over their length, along rows and diagonals of the
  * lattice, for both shapes of the micromodulus; dotted the integrals that they stand for. */
 static void waves_plane_describe(const Screen *screen, bool transverse, Picture *picture)
@@ -65,7 +52,6 @@ static void waves_plane_describe(const Screen *screen, bool transverse, Picture 
     enum { POINTS = 60 };
     const Settings *settings = screen_settings(screen);
     const double letter_at = 0.5;
-    char line[160];
     double most = 100;
     for (int i = 0; i < CURVES; i++)
         for (int k = 1; k <= POINTS; k++)
@@ -95,34 +81,24 @@ static void waves_plane_describe(const Screen *screen, bool transverse, Picture 
     for (int i = 0; i < CURVES; i += 2)
         picture_mark(picture, letter_at, speed(settings, &curves[i], transverse, letter_at),
                      (uint32_t)(unsigned char)curves[i].pen.letter, curves[i].pen.style);
-    tell(settings, transverse, false, line);
-    PictureNote *note = picture_note(picture, STYLE_NORMAL, "%s", line);
-    tell(settings, transverse, true, note->brief);
+    /* A wave of ten spacings in words, for the run's own shape. */
+    const double share = 0.2;
+    const bool conical = settings_lattice(settings)->influence == INFLUENCE_CONICAL;
+    const Curve *own = &curves[conical ? 2 : 0];
+    picture_note(picture, STYLE_NORMAL,
+                 LONG_SHORT("10 spacings long:", "10 dx:") " 0° %.1f %%, 45° %.1f %%, integral %.1f %%",
+                 speed(settings, &own[0], transverse, share), speed(settings, &own[1], transverse, share),
+                 integral(settings, own->influence, transverse, share));
 }
 
-/* One run in the picture. */
-typedef struct Dot {
-    double x, y;
-    char letter; /* 0: there is one run only */
-    Style style;
-    bool filled; /* a run that goes on; ghosts are rings */
-} Dot;
-
-/* Ghosts first, so that the present run lies on top. */
-static void add_dots(Picture *picture, const Dot *dots, int count)
+/* One run in the picture, in a duel with its letter; ghosts are rings. */
+static PictureMark dot_of(const ShownRun *run, double x, double y)
 {
-    for (int i = 0; i < count; i++)
-        picture_add_mark(picture, (PictureMark){.x = dots[i].x,
-                                                .y = dots[i].y,
-                                                .glyph = dots[i].filled ? 0x25cf : 0x25cb,
-                                                .letter = dots[i].letter,
-                                                .style = dots[i].style});
-}
-
-static Dot dot_of(const ShownRun *run, double x, double y)
-{
-    const bool ghost = !run->experiment;
-    return (Dot){x, y, run->letter, ghost ? STYLE_NORMAL : run->style, !ghost};
+    return (PictureMark){.x = x,
+                         .y = y,
+                         .glyph = run->experiment ? 0x25cf : 0x25cb,
+                         .letter = run->letter,
+                         .style = run->experiment ? run->style : STYLE_NORMAL};
 }
 
 static void widen(double value, double *least, double *most)
@@ -147,75 +123,54 @@ static const char *letter_of(const char *name)
     return space ? space + 1 : name;
 }
 
+enum { NOTE_TEXT = 320 };
+
 /* "= mesh K (1-1.33 %) x filter F (1-2.96 %)": they multiply, so their errors do not quite add up. */
-static void append_factor(char line[160], const char *name, double value, bool brief)
+static void append_factor(char line[NOTE_TEXT], const char *name, double value)
 {
-    if (brief)
-        text_append(line, 160, "%s (1%+.2f%%)%s", line[0] ? "" : "=", percent(value), name);
-    else
-        text_append(line, 160, "%s %s (1%+.2f %%)", line[0] ? " x" : "=", name, percent(value));
+    text_append(line, NOTE_TEXT, LONG_SHORT("%s %s (1%+.2f %%)", "%s (1%+.2f%%)%s"), line[0] ? " x" : "=",
+                name, percent(value), line[0] ? "" : "=", percent(value), letter_of(name));
 }
 
 /* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
-static void mode_lines(const Screen *screen, bool brief, char first[160], char second[160])
+static void mode_lines(const Screen *screen, char first[NOTE_TEXT], char second[NOTE_TEXT])
 {
     const Readout *readout = experiment_readout(screen->experiment);
     ModeOnMesh mode;
     first[0] = second[0] = '\0';
     if (readout->mode < 1 || !readout->moving) {
-        snprintf(first, 160,
+        snprintf(first, NOTE_TEXT,
                  readout->moving ? "this motion is no mode of a bar"
                                  : "nothing vibrates here: no mode to measure");
         return;
     }
-    snprintf(first, 160, "mode %d:", readout->mode);
+    snprintf(first, NOTE_TEXT, "mode %d:", readout->mode);
     if (readout->measured_known)
-        text_append(first, 160, " measured %+.2f %%", percent(readout->measured / readout->exact));
+        text_append(first, NOTE_TEXT, " measured %+.2f %%", percent(readout->measured / readout->exact));
     else
-        text_append(first, 160, " measuring");
+        text_append(first, NOTE_TEXT, " measuring");
     const bool found = dispersion_mode(screen_settings(screen), readout->mode, &mode);
     if (!screen_shows_predicted(screen))
         return;
     if (!found || isnan(mode.predicted)) {
         const bool has_waves = dispersion_modes(screen_settings(screen)) > 0;
-        snprintf(second, 160, "%s",
+        snprintf(second, NOTE_TEXT, "%s",
                  found       ? "such a wave does not oscillate with this time step"
                  : has_waves ? "too short a wave for this mesh"
                              : "its modes are no waves of one length here");
         if (!has_waves && readout->predicted_known)
-            text_append(first, 160, ", %s %+.2f %%", brief ? legend_short_name("predicted") : "predicted",
+            text_append(first, NOTE_TEXT, ", " LONG_SHORT("predicted", "pred") " %+.2f %%",
                         percent(readout->predicted / readout->exact));
         return;
     }
     /* the readout's prediction knows of free ends, the curve does not */
     const double predicted = readout->predicted_known ? readout->predicted : mode.predicted;
-    text_append(first, 160, ", %s %+.2f %%", brief ? legend_short_name("predicted") : "predicted",
+    text_append(first, NOTE_TEXT, ", " LONG_SHORT("predicted", "pred") " %+.2f %%",
                 percent(predicted / mode.exact));
-    for (int i = 0; i < mode.n_factors; i++) {
-        const char *name = mode.factors[i].name;
-        append_factor(second, brief ? letter_of(name) : name, mode.factors[i].value, brief);
-    }
+    for (int i = 0; i < mode.n_factors; i++)
+        append_factor(second, mode.factors[i].name, mode.factors[i].value);
     if (fabs(predicted / mode.predicted - 1) > 1e-9)
-        append_factor(second, brief ? "end" : "free end", predicted / mode.predicted, brief);
-}
-
-/* What the factors' names mean; in brief, the last of them. */
-static void factor_line(const Experiment *experiment, bool brief, char out[160])
-{
-    ModeOnMesh mode;
-    int named = 0;
-    out[0] = '\0';
-    if (!dispersion_mode(experiment_settings(experiment), 1, &mode))
-        return;
-    for (int i = 0; i < mode.n_factors; i++) {
-        if (!mode.factors[i].meaning)
-            continue;
-        if (brief)
-            out[named = 0] = '\0';
-        const char *name = mode.factors[i].name;
-        text_append(out, 160, "%s%s: %s", named++ ? "; " : "", brief ? letter_of(name) : name,
-                    mode.factors[i].meaning);
-    }
+        append_factor(second, "free end", predicted / mode.predicted);
 }
 
 /* The curve of each run that can go on: of both in a duel. */
@@ -275,27 +230,30 @@ static int last_mode(const Experiment *experiment, int variant)
 /* Two lines and what their words mean; of the other ways what their letters mean. */
 static void note_mode(const Screen *screen, Picture *picture, int n_ways)
 {
-    char whole[2][160], brief[2][160], factors[160], ways[160];
-    mode_lines(screen, false, whole[0], whole[1]);
-    mode_lines(screen, true, brief[0], brief[1]);
-    if (n_ways > 0) {
-        /* "l lumped  * mu*  c consistent" */
-        ways[0] = '\0';
-        for (int i = 0; i < n_ways; i++) {
-            double unused;
-            text_append(ways, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
-                        dispersion_other_way(screen_settings(screen), i, 1, &unused));
-        }
-        picture_note(picture, STYLE_NORMAL, "%s", ways);
+    const Settings *settings = screen_settings(screen);
+    char lines[2][NOTE_TEXT], text[160] = "", brief[160];
+    mode_lines(screen, lines[0], lines[1]);
+    for (int i = 0; i < n_ways; i++) { /* "l lumped  * mu*  c consistent" */
+        double unused;
+        text_append(text, 160, "%s%c %s", i ? "  " : "", letters_of(screen)[i],
+                    dispersion_other_way(settings, i, 1, &unused));
     }
+    if (n_ways > 0)
+        picture_note(picture, STYLE_NORMAL, "%s", text);
     for (int i = 0; i < 2 - (n_ways > 0); i++)
-        memcpy(picture_note(picture, STYLE_NORMAL, "%s", whole[i])->brief, brief[i], sizeof brief[i]);
-    factor_line(screen->experiment, false, factors);
-    if (!factors[0])
-        return;
-    PictureNote *note = picture_note(picture, STYLE_FAINT, "%s", factors);
-    note->spare = true;
-    factor_line(screen->experiment, true, note->brief);
+        picture_note(picture, STYLE_NORMAL, "%s", lines[i]);
+    /* What the factors' names mean; in brief, the last of them. */
+    ModeOnMesh mode;
+    const bool known = dispersion_mode(settings, 1, &mode);
+    text[0] = '\0';
+    for (int i = 0; known && i < mode.n_factors; i++)
+        if (mode.factors[i].meaning) {
+            text_append(text, 160, "%s%s: %s", text[0] ? "; " : "", mode.factors[i].name,
+                        mode.factors[i].meaning);
+            snprintf(brief, 160, "%s: %s", letter_of(mode.factors[i].name), mode.factors[i].meaning);
+        }
+    if (text[0])
+        picture_note(picture, STYLE_FAINT, LONG_SHORT("%s", "%s"), text, brief)->spare = true;
 }
 
 static void describe_bar(const Screen *screen, int variant, bool with_ways, Picture *picture)
@@ -304,7 +262,7 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
     const int n_ways = with_ways ? count_ways(settings) : 0, last = last_mode(screen->experiment, variant);
     const int columns = picture->dots > 1 ? picture->dots : 2;
     const int every = last > columns ? (last + columns - 1) / columns : 1;
-    Dot dots[RUNS_MAX];
+    PictureMark dots[RUNS_MAX];
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
     int n_dots = 0;
@@ -352,7 +310,8 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
     for (int i = 0; i < n_runs && predicted; i++)
         if (runs[i].experiment)
             add_predicted(picture, &runs[i], last, every);
-    add_dots(picture, dots, n_dots);
+    for (int i = 0; i < n_dots; i++) /* ghosts first, so that the present run lies on top */
+        picture_add_mark(picture, dots[i]);
     note_mode(screen, picture, n_ways);
 }
 
@@ -377,7 +336,7 @@ static double reach_of(const Screen *screen, const Settings *settings)
                                          : settings_mesh(settings)->cell_size;
 }
 
-static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
+static int beam_dots(const Screen *screen, PictureMark dots[RUNS_MAX])
 {
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_of(screen, runs);
@@ -392,27 +351,27 @@ static int beam_dots(const Screen *screen, Dot dots[RUNS_MAX])
     return count;
 }
 
-static void period_lines(const Readout *readout, double height, double span, bool brief, char first[160],
-                         char second[160])
+static void note_period(Picture *picture, const Readout *readout, double height, double span)
 {
-    first[0] = second[0] = '\0';
-    if (!readout->measured_known) {
-        snprintf(first, 160, "T measuring");
-    } else if (readout->drifting) {
-        snprintf(first, 160,
-                 brief ? "last period %.4f ms, %+.2f %% of modal"
-                       : "the last period was %.4f ms, %+.2f %% of the modal one's",
-                 milliseconds(readout->measured), readout->error_period);
-    } else {
-        snprintf(first, 160,
-                 brief ? "T %.4f ms: %+.2f %%, its size %+.2f %%"
-                       : "T %.4f ms: %+.2f %%, its real size alone %+.2f %%",
-                 milliseconds(readout->measured), percent(readout->measured / readout->exact),
-                 percent(readout->real_size / readout->exact));
-        if (isfinite(height) && isfinite(span)) /* a mesh has the size that is asked for */
-            snprintf(second, 160, "real height %.4g mm, span %.4g mm%s", height / 1e-3, span / 1e-3,
-                     brief ? "" : "; T as span^2/height");
-    }
+    if (!readout->measured_known)
+        picture_note(picture, STYLE_NORMAL, "T measuring");
+    else if (readout->drifting)
+        picture_note(picture, STYLE_NORMAL,
+                     LONG_SHORT("the last period was", "last period") " %.4f ms, %+.2f %% of " LONG_SHORT(
+                         "the modal one's", "modal"),
+                     milliseconds(readout->measured), readout->error_period);
+    else
+        picture_note(picture, STYLE_NORMAL,
+                     "T %.4f ms: %+.2f %%, its " LONG_SHORT("real size alone", "size") " %+.2f %%",
+                     milliseconds(readout->measured), percent(readout->measured / readout->exact),
+                     percent(readout->real_size / readout->exact));
+    /* a mesh has the size that is asked for */
+    if (readout->measured_known && !readout->drifting && isfinite(height) && isfinite(span))
+        picture_note(picture, STYLE_FAINT,
+                     "real height %.4g mm, span %.4g mm" LONG_SHORT("; T as span^2/height", ""),
+                     height / 1e-3, span / 1e-3);
+    else
+        picture_note(picture, STYLE_FAINT, "%s", "");
 }
 
 /* --- either --------------------------------------------------------------------------------------- */
@@ -470,7 +429,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
              readout->drifting ? NAN : milliseconds(screen_derived(screen, "period_timoshenko")),
              (Pen){LINE_DASHED, '-', STYLE_THIRD, RANK_EXACT, 0}},
         };
-        Dot dots[RUNS_MAX];
+        PictureMark dots[RUNS_MAX];
         const int n_dots = beam_dots(screen, dots);
         double least = INFINITY, most = -INFINITY, furthest = reach_of(screen, settings);
         for (int i = 0; i < 2; i++)
@@ -487,15 +446,10 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         for (int i = 0; i < 2 && screen_shows_exact(screen); i++)
             if (isfinite(theories[i].value))
                 picture_level(picture, theories[i].value, theories[i].pen, theories[i].name);
-        add_dots(picture, dots, n_dots);
-        const double height = screen_derived(screen, "real_height"),
-                     span = screen_derived(screen, "real_span");
-        char whole[2][160], brief[2][160];
-        period_lines(readout, height, span, false, whole[0], whole[1]);
-        period_lines(readout, height, span, true, brief[0], brief[1]);
-        for (int j = 0; j < 2; j++)
-            memcpy(picture_note(picture, j == 0 ? STYLE_NORMAL : STYLE_FAINT, "%s", whole[j])->brief,
-                   brief[j], sizeof brief[j]);
+        for (int i = 0; i < n_dots; i++)
+            picture_add_mark(picture, dots[i]);
+        note_period(picture, readout, screen_derived(screen, "real_height"),
+                    screen_derived(screen, "real_span"));
     }
 }
 

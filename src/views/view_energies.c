@@ -231,7 +231,7 @@ static bool unseen_shares(const Screen *screen, const Record *record, const Axis
 #define KEPT_SHARE 0.05
 
 /* Phrases parted by two spaces: total, E*, what the grid has not, and what the ripple is. */
-static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, bool wide, char out[320])
+static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, char out[320])
 {
     const Record *record = stack->record;
     const double *now = experiment_row(screen->experiment), *start = record_row(record, 0);
@@ -250,7 +250,7 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
         if (share > 100) /* a run that blows up */
             text_append(out, 320, " = %.0f times the start", share);
         else
-            text_append(out, 320, " = %.2f %%%s", 100 * share, wide ? " of the start" : "");
+            text_append(out, 320, " = %.2f %%" LONG_SHORT(" of the start", ""), 100 * share);
     }
     if (known) {
         const double loss = 100 * (1 - sharp / first);
@@ -261,18 +261,18 @@ static void energy_phrases(const Screen *screen, const Stack *stack, const Axis 
     const bool shares = unseen_shares(screen, record, x, &lumping, &hidden);
     const double rigid = rigid_energy(screen->experiment);
     if (rigid > 0)
-        text_append(out, 320, "  kinetic %s J of travel%s: not drawn", text_fitted(rigid, 4, 10).text,
-                    wide ? " (1/2 m v0^2)" : "");
+        text_append(out, 320, "  kinetic %s J of travel" LONG_SHORT(" (1/2 m v0^2)", "") ": not drawn",
+                    text_fitted(rigid, 4, 10).text);
     if (shares && isfinite(hidden))
-        text_append(out, 320, "  null space %.2f %%%s", 100 * hidden,
-                    wide ? " of kinetic in this window" : "");
+        text_append(out, 320, "  null space %.2f %%" LONG_SHORT(" of kinetic in this window", ""),
+                    100 * hidden);
     if (shares)
         text_append(out, 320, "  lumping %.2f %%", 100 * lumping);
     const double kept = known ? sharp / first : shared ? now[total] / start[total] : 1;
     if (shares && fabs(1 - kept) < KEPT_SHARE)
         text_append(out, 320,
-                    wide ? "  the ripple comes from v and stress half a step apart; no energy is lost"
-                         : "  ripple: v, stress half a step apart");
+                    LONG_SHORT("  the ripple comes from v and stress half a step apart; no energy is lost",
+                               "  ripple: v, stress half a step apart"));
 }
 
 static const char *word_of(const Screen *screen, int variant)
@@ -283,27 +283,21 @@ static const char *word_of(const Screen *screen, int variant)
 static void note_run(const Screen *screen, Picture *picture, const char *run, double most_work, int rows)
 {
     const Stack stack = stack_of(screen);
-    char text[330], brief[330];
-    for (int wide = 0; wide < 2; wide++) {
-        char *out = wide ? text : brief, phrases[320];
-        energy_phrases(screen, &stack, &picture->plot.x, wide, phrases);
-        if (most_work > 0 && experiment_column(screen->experiment, "kinetic_grid") < 0) {
-            /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the
-             * load, against the largest work so far; of second order in the time step. */
-            const double *now = experiment_row(screen->experiment);
-            const int total = experiment_column(screen->experiment, "total"),
-                      work = experiment_column(screen->experiment, "work");
-            const Record *record = experiment_record(screen->experiment);
-            if (now && work >= 0 && total >= 0 && record->count > 0) {
-                const double residual = now[total] - record_row(record, 0)[total] - now[work];
-                snprintf(phrases, 320, "residual %+.2f %% of the work", 100 * residual / most_work);
-                text_append(phrases, 320, "  total %s J  work %s J", text_fitted(now[total], 4, 9).text,
-                            text_fitted(now[work], 4, 9).text);
-            }
-        }
-        snprintf(out, sizeof text, "%s%s", run, phrases);
+    char phrases[320];
+    const double *now = experiment_row(screen->experiment);
+    const int total = experiment_column(screen->experiment, "total"),
+              work = experiment_column(screen->experiment, "work");
+    energy_phrases(screen, &stack, &picture->plot.x, phrases);
+    if (most_work > 0 && experiment_column(screen->experiment, "kinetic_grid") < 0 && now && work >= 0 &&
+        total >= 0 && stack.record->count > 0) {
+        /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load,
+         * against the largest work so far; of second order in the time step. */
+        const double residual = now[total] - record_row(stack.record, 0)[total] - now[work];
+        snprintf(phrases, sizeof phrases, "residual %+.2f %% of the work  total %s J  work %s J",
+                 100 * residual / most_work, text_fitted(now[total], 4, 9).text,
+                 text_fitted(now[work], 4, 9).text);
     }
-    picture_note_brief(picture, STYLE_NORMAL, text, brief)->rows = rows;
+    picture_note(picture, STYLE_NORMAL, "%s%s", run, phrases)->rows = rows;
 }
 
 static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs, int n_runs,

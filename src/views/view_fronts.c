@@ -72,7 +72,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                          (uint32_t)('a' + f), STYLE_MEASURED);
         }
     }
-    beam_lines(screen, false, lines[0], lines[1]);
+    beam_lines(screen, lines[0], lines[1]);
     picture_note(picture, STYLE_NORMAL, "%s", lines[0]);
     picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
 }

@@ -129,29 +129,26 @@ typedef struct Range {
 
 /* --- lines under the plot ------------------------------------------------------------------------- */
 
-enum { READOUT_TEXT = 320 };
-
 /* "a period keeps 68.4 %, predicted 68.4 %" of the energy, where it does not keep all of it. */
-static void append_kept(const Readout *readout, bool predicted, bool narrow, char out[READOUT_TEXT])
+static void append_kept(const Readout *readout, bool predicted, char out[READOUT_TEXT])
 {
     const bool measured = isfinite(readout->kept_measured);
     if (!(readout->kept_predicted < READOUT_UNDAMPED) || !(measured || predicted))
         return;
-    text_append(out, READOUT_TEXT, narrow ? "%skept" : "%sa period keeps", out[0] ? "  " : "");
+    text_append(out, READOUT_TEXT, "%s" LONG_SHORT("a period keeps", "kept"), out[0] ? "  " : "");
     if (measured)
         text_append(out, READOUT_TEXT, " %.3g %%", 100 * readout->kept_measured);
     if (predicted)
-        text_append(out, READOUT_TEXT, "%s %s %.3g %%", measured ? "," : "", narrow ? "pred" : "predicted",
+        text_append(out, READOUT_TEXT, "%s " LONG_SHORT("predicted", "pred") " %.3g %%", measured ? "," : "",
                     100 * readout->kept_predicted);
 }
 
-/* What the run is judged by; `narrow`: in short words. */
-static void frequency_lines(const Screen *screen, bool narrow, char first[READOUT_TEXT],
-                            char second[READOUT_TEXT])
+/* What the run is judged by. */
+static void frequency_lines(const Screen *screen, char first[READOUT_TEXT], char second[READOUT_TEXT])
 {
     const Readout *readout = experiment_readout(screen->experiment);
-    if (beam_lines(screen, narrow, first, second)) {
-        append_kept(readout, screen_shows_predicted(screen), narrow, second);
+    if (beam_lines(screen, first, second)) {
+        append_kept(readout, screen_shows_predicted(screen), second);
         return;
     }
     const bool exact = readout->exact_known && screen_shows_exact(screen);
@@ -161,7 +158,7 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
         Finding findings[FINDINGS_MAX];
         const int n = references_findings(experiment_references(screen->experiment),
                                           screen_simulation(screen), findings);
-        findings_text(findings, n, screen_shows_exact(screen) && !narrow, first, READOUT_TEXT);
+        runs_findings_text(screen, findings, n, first, READOUT_TEXT);
         if (n == 0 && !readout->unjudged)
             snprintf(first, READOUT_TEXT, "nothing vibrates: no frequency to measure");
         return;
@@ -170,41 +167,41 @@ static void frequency_lines(const Screen *screen, bool narrow, char first[READOU
     /* while rows come in the fit is a little behind them, see experiment_rest() */
     const bool about = screen_is_running(screen) && experiment_is_flowing(screen->experiment);
     if (readout->measured_known)
-        text_append(first, READOUT_TEXT,
-                    narrow  ? "ω %s%s"
-                    : wrong ? "ω wrong code %s%s"
-                            : "ω measured %s%s",
-                    about ? "~" : "", readout_text(readout, about ? 3 : 4).text);
+        text_append(first, READOUT_TEXT, "ω%s %s%s",
+                    wrong ? LONG_SHORT(" wrong code", "") : LONG_SHORT(" measured", ""), about ? "~" : "",
+                    readout_text(readout, about ? 3 : 4).text);
     else if (readout->unaccounted)
-        text_append(first, READOUT_TEXT, narrow ? "ω ? %s" : "ω: not known with %s", readout->unaccounted);
+        text_append(first, READOUT_TEXT, LONG_SHORT("ω: not known with", "ω ?") " %s", readout->unaccounted);
     else if (experiment_at_end(screen->experiment)) {
         text_append(first, READOUT_TEXT, "ω none");
         text_append(second, READOUT_TEXT, "%s", readout->unmeasured);
     } else
-        text_append(first, READOUT_TEXT, narrow ? "ω ..." : "ω measuring");
+        text_append(first, READOUT_TEXT, "ω " LONG_SHORT("measuring", "..."));
     if (predicted)
-        text_append(first, READOUT_TEXT, narrow ? " %s %.4f" : "  %s %.4f",
-                    wrong    ? (narrow ? "right" : "right code")
-                    : narrow ? "pred"
-                             : "predicted",
+        text_append(first, READOUT_TEXT, LONG_SHORT(" ", "") " %s %.4f",
+                    wrong ? LONG_SHORT("right code", "right") : LONG_SHORT("predicted", "pred"),
                     readout->predicted);
     if (exact)
-        text_append(first, READOUT_TEXT, narrow ? " exact %.4f" : "  exact %.4f", readout->exact);
+        text_append(first, READOUT_TEXT, LONG_SHORT(" ", "") " exact %.4f", readout->exact);
     if (readout->measured_known && exact) {
         const int decimals = readout_error_decimals(readout, about ? 1 : 2);
-        text_append(second, READOUT_TEXT, "ω %+.*f %%", decimals, readout->error_frequency);
+        const bool dies = readout->kept_predicted < READOUT_UNDAMPED;
+        char late[80] = "", period[160];
+        if (isfinite(readout->late))
+            snprintf(late, sizeof late,
+                     dies ? "  %s by %.2f periods"
+                          : "  %s " LONG_SHORT("by ", "") "%.2f " LONG_SHORT("periods", "T"),
+                     readout->late < 0 ? "early" : "late", fabs(readout->late));
+        snprintf(period, sizeof period, "  T %+.*f %%%s", decimals, readout->error_period, late);
         /* of what dies its decay is told, if not everything can be */
-        if (!narrow || !(readout->kept_predicted < READOUT_UNDAMPED)) {
-            text_append(second, READOUT_TEXT, "  T %+.*f %%", decimals, readout->error_period);
-            if (isfinite(readout->late))
-                text_append(second, READOUT_TEXT, narrow ? "  %s %.2f T" : "  %s by %.2f periods",
-                            readout->late < 0 ? "early" : "late", fabs(readout->late));
-        }
+        text_append(second, READOUT_TEXT, dies ? "ω %+.*f %%" LONG_SHORT("%s", "") : "ω %+.*f %%%s", decimals,
+                    readout->error_frequency, period);
         if (predicted && readout->overlap < READOUT_PURE)
-            text_append(second, READOUT_TEXT, narrow ? "  mixture %.2f" : "  mixture of modes, overlap %.3f",
+            text_append(second, READOUT_TEXT,
+                        LONG_SHORT("  mixture of modes, overlap %.3f", "  mixture %.2f"), readout->overlap,
                         readout->overlap);
     }
-    append_kept(readout, predicted, narrow, second);
+    append_kept(readout, predicted, second);
 }
 
 /* The values of every curve at the cursor: with so many digits, and in short words if wanted. */
@@ -239,7 +236,7 @@ static void cursor_line(const Screen *screen, const Line *lines, int n_lines, co
 static void note_readout(const Screen *screen, Picture *picture, const Line *lines, int n_lines,
                          const char *curve)
 {
-    char first[2][READOUT_TEXT], second[2][READOUT_TEXT];
+    char first[READOUT_TEXT] = "", second[READOUT_TEXT] = "";
     const bool cursor = isfinite(screen->time.cursor);
     if (cursor) {
         /* Every value is seen: with fewer digits and shorter words, else on two lines. */
@@ -250,35 +247,24 @@ static void note_readout(const Screen *screen, Picture *picture, const Line *lin
         do
             cursor_line(screen, lines, n_lines, curve, digits, true, brief);
         while (glyphs_columns(brief) > picture->columns - 2 && --digits >= LEAST);
-        PictureNote *note = picture_note_brief(picture, STYLE_SELECTED, text, brief);
-        note->rows = digits <= LEAST ? 2 : 1;
+        picture_note(picture, STYLE_SELECTED, LONG_SHORT("%s", "%s"), text, brief)->rows =
+            digits <= LEAST ? 2 : 1;
     } else if (strcmp(experiment_readout(screen->experiment)->column, curve) != 0 &&
                !screen_problem(screen)->si)
         return;
-    if (screen_is_shared(screen)) {
-        if (!cursor) {
-            /* One line for each run of a duel: what matters most first. */
-            for (int run = 0; run < 2; run++) {
-                const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
-                char text[2][PICTURE_TEXT_MAX];
-                for (int narrow = 0; narrow < 2; narrow++) {
-                    char both_first[READOUT_TEXT], both_second[READOUT_TEXT];
-                    frequency_lines(&one, narrow, both_first, both_second);
-                    snprintf(text[narrow], sizeof *text, "%c %s", "AB"[run], both_first);
-                    text_append(text[narrow], sizeof *text, "%s%s", both_second[0] ? "  " : "", both_second);
-                }
-                picture_note_brief(picture, STYLE_NORMAL, text[0], text[1]);
-            }
-        }
-        return;
+    /* One line for each run of a duel: what matters most first. */
+    for (int run = 0; run < 2 && screen_is_shared(screen) && !cursor; run++) {
+        const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
+        frequency_lines(&one, first, second);
+        picture_note(picture, STYLE_NORMAL, "%c %s%s%s", "AB"[run], first, second[0] ? "  " : "", second);
     }
-    if (!cursor && !experiment_readout(screen->experiment)->moving && runs_note_findings(screen, picture))
+    if (screen_is_shared(screen) ||
+        (!cursor && !experiment_readout(screen->experiment)->moving && runs_note_findings(screen, picture)))
         return;
-    for (int narrow = 0; narrow < 2; narrow++)
-        frequency_lines(screen, narrow, first[narrow], second[narrow]);
-    picture_note_brief(picture, STYLE_NORMAL, first[0], first[1]);
+    frequency_lines(screen, first, second);
+    picture_note(picture, STYLE_NORMAL, "%s", first);
     if (!cursor)
-        picture_note_brief(picture, STYLE_NORMAL, second[0], second[1])->joins = true;
+        picture_note(picture, STYLE_NORMAL, "%s", second)->joins = true;
 }
 
 /* The axis of the values of these runs, over all that they have, foreign series and references will be. */

@@ -255,23 +255,20 @@ static void add_marks(const Screen *screen, Picture *picture, const Scale *scale
 
 static void note_peaks(const Screen *screen, Picture *picture, const Scale *scale, bool fast)
 {
-    char text[160], line[168];
+    char text[160], brief[160];
     double peaks[PEAKS_MAX];
     const int count = peaks_of(scale, fast, peaks);
     const double bin = scale->spectrum->step / scale->unit;
     snprintf(text, 160, count == 0 ? "no peak stands out" : count == 1 ? "peak at" : "peaks at");
     for (int i = 0; i < count; i++)
         text_append(text, 160, "%s %s", i > 0 ? "," : "", text_fitted(peaks[i], 4, 8).text);
-    text_append(text, 160, "%s; a bin is %s", !screen_problem(screen)->si ? "" : " kHz",
-                text_fitted(bin, 2, 8).text);
-    PictureNote *note =
-        picture_note(picture, STYLE_NORMAL, "%s%s", screen_is_shared(screen) ? "A " : "", text);
-    line[strcspn(line, ";")] = '\0';
-    snprintf(note->brief, sizeof note->brief, "%s", line);
+    picture_note(picture, STYLE_NORMAL, "%s%s%s" LONG_SHORT("; a bin is %s", ""),
+                 screen_is_shared(screen) ? "A " : "", text, !screen_problem(screen)->si ? "" : " kHz",
+                 text_fitted(bin, 2, 8).text);
     if (!fast || !screen_shows_predicted(screen) || !thickness_line(screen->experiment, PEAKS_MAX, text))
         return;
-    note = picture_note(picture, STYLE_FAINT, "%s", text);
-    thickness_line(screen->experiment, 2, note->brief);
+    thickness_line(screen->experiment, 2, brief);
+    picture_note(picture, STYLE_FAINT, LONG_SHORT("%s", "%s"), text, brief);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)

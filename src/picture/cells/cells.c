@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum {
     LEAST = 4,        /* columns across a plot */
@@ -39,6 +40,8 @@ static int line_of_notes(const Picture *picture, int i, int columns, bool joined
         const bool fits = glyphs_columns(line->text) + 2 + glyphs_columns(next->text) <= columns - 1;
         if (!(next->joins && joined) && !(next->flows && fits))
             break;
+        if (next->brief[0] && !line->brief[0])
+            memcpy(line->brief, line->text, sizeof line->brief);
         if (line->brief[0])
             text_append(line->brief, sizeof line->brief, "  %s", next->brief[0] ? next->brief : next->text);
         text_append(line->text, sizeof line->text, "  %s", next->text);

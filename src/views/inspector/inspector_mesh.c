@@ -273,12 +273,11 @@ static void describe(const Screen *screen, Picture *picture)
     describe_subject(&subject, picture);
     if (subject.n_links == 0)
         picture_note(picture, STYLE_NORMAL, "no particle is near: this node is empty");
-    else if (sim->stage > 0 && !passes_any(&subject, latest, true) && !passes_any(&subject, latest, false)) {
-        PictureNote *note = picture_note(picture, STYLE_NORMAL,
-                                         "stage %d, %s: no particle-node exchange; before that:", sim->stage,
-                                         sim->stages[latest].name);
-        snprintf(note->brief, sizeof note->brief, "stage %d: no exchange; before that:", sim->stage);
-    }
+    else if (sim->stage > 0 && !passes_any(&subject, latest, true) && !passes_any(&subject, latest, false))
+        picture_note(
+            picture, STYLE_NORMAL,
+            LONG_SHORT("stage %d, %s: no particle-node exchange", "stage %d: no exchange") "; before that:",
+            sim->stage, sim->stages[latest].name, sim->stage);
     for (int pass = 0; pass < 2; pass++)
         for (int stage = latest; stage >= 0; stage--)
             for (int takes = 1; takes >= 0; takes--) {

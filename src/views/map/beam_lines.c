@@ -22,13 +22,13 @@ static const char *predicted_word(const Screen *screen)
     return settings_mistake(screen_settings(screen)) ? "right code" : "predicted";
 }
 
-static void supported_lines(const Screen *screen, bool narrow, char first[160], char second[160])
+static void supported_lines(const Screen *screen, char first[160], char second[160])
 {
     const Readout *readout = experiment_readout(screen->experiment);
     const double euler = screen_derived(screen, "period_euler"), timoshenko = readout->exact;
     if (readout->measured_known) {
         const int decimals = readout_error_decimals(readout, 2);
-        snprintf(first, 160, "T %s%s ms", narrow ? "" : "measured ", readout_text(readout, 4).text);
+        snprintf(first, 160, "T " LONG_SHORT("measured ", "") "%s ms", readout_text(readout, 4).text);
         if (screen_shows_exact(screen)) {
             text_append(first, 160, "  Timoshenko %+.*f %%", decimals,
                         percent(readout->measured / timoshenko));
@@ -42,7 +42,7 @@ static void supported_lines(const Screen *screen, bool narrow, char first[160], 
         }
     }
     if (isfinite(readout->by_zeros))
-        text_append(second, 160, "%s%szeros %.4f ms", second[0] ? "  " : "", narrow ? "" : "by its ",
+        text_append(second, 160, "%s" LONG_SHORT("by its ", "") "zeros %.4f ms", second[0] ? "  " : "",
                     readout->by_zeros / 1e-3);
     /* The periods of earlier runs, by the letters of their curves. */
     const Ghost *ghosts = experiment_ghosts(screen->experiment);
@@ -92,7 +92,7 @@ static bool has_findings(const Screen *screen)
                                findings) > 0;
 }
 
-bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[160])
+bool beam_lines(const Screen *screen, char first[160], char second[160])
 {
     const bool leaves = screen_settings(screen)->problem->concerns & CONCERN_MOTION;
     first[0] = second[0] = '\0';
@@ -136,9 +136,10 @@ bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[
         const double standing = references_standing_frequency(experiment_references(screen->experiment),
                                                               experiment_time(screen->experiment));
         if (length >= 0 && row)
-            snprintf(first, 160, narrow ? "length %.1f mm" : "length %.2f mm", row[length] / 1e-3);
+            snprintf(first, 160, LONG_SHORT("length %.2f mm", "length %.1f mm"), row[length] / 1e-3,
+                     row[length] / 1e-3);
         if (readout->measured_known) {
-            text_append(first, 160, narrow ? "  f %.1f Hz" : "  f measured %.1f Hz", 1 / readout->measured);
+            text_append(first, 160, "  f" LONG_SHORT(" measured", "") " %.1f Hz", 1 / readout->measured);
             if (screen_shows_exact(screen))
                 text_append(first, 160, "  modal %.1f", 1 / readout->exact);
             if (screen_shows_exact(screen))
@@ -150,6 +151,6 @@ bool beam_lines(const Screen *screen, bool narrow, char first[160], char second[
         if (screen_shows_exact(screen))
             text_append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
     } else
-        supported_lines(screen, narrow, first, second);
+        supported_lines(screen, first, second);
     return true;
 }

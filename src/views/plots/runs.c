@@ -184,16 +184,23 @@ void runs_ghost_names(const Screen *screen, int columns, char *out, size_t size)
     }
 }
 
+void runs_findings_text(const Screen *screen, const Finding *findings, int count, char *out, size_t size)
+{
+    char text[READOUT_TEXT], brief[READOUT_TEXT];
+    findings_text(findings, count, screen_shows_exact(screen), text, sizeof text);
+    findings_text(findings, count, false, brief, sizeof brief);
+    snprintf(out, size, LONG_SHORT("%s", "%s"), text, brief);
+}
+
 int runs_note_findings(const Screen *screen, Picture *picture)
 {
     Finding findings[FINDINGS_MAX];
+    char text[2 * READOUT_TEXT];
     const int count =
         references_findings(experiment_references(screen->experiment), screen_simulation(screen), findings);
     for (int i = 0; i < count; i++) {
-        char text[160], brief[160];
-        findings_text(&findings[i], 1, screen_shows_exact(screen), text, sizeof text);
-        findings_text(&findings[i], 1, false, brief, sizeof brief);
-        picture_note_brief(picture, STYLE_NORMAL, text, brief)->flows = true;
+        runs_findings_text(screen, &findings[i], 1, text, sizeof text);
+        picture_note(picture, STYLE_NORMAL, "%s", text)->flows = true;
     }
     return count;
 }
