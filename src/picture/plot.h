@@ -23,6 +23,9 @@ typedef enum LineStyle { LINE_SOLID, LINE_DOTTED, LINE_DASHED } LineStyle;
 /* Who is seen where strokes meet. */
 enum { RANK_BAND, RANK_GHOST, RANK_EXACT, RANK_PREDICTED, RANK_SECOND, RANK_MEASURED, RANK_MARK };
 
+/* The same over a body, where the grid lies behind its particles. */
+enum { RANK_GRID, RANK_ZONE, RANK_ANGLE, RANK_BEFORE, RANK_WALL, RANK_NOTCH, RANK_PATH };
+
 /* How a line is drawn. */
 typedef struct Pen {
     LineStyle line;

@@ -13,15 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct Notch {
-    double x, y; /* its end, m */
-} Notch;
-
-static Notch notch_of(const Settings *settings)
-{
-    return (Notch){settings_notch(settings)->position, settings_notch(settings)->depth};
-}
-
 static bool has_crack(const Screen *screen)
 {
     return experiment_column(screen->experiment, "crack_x") >= 0;
@@ -54,10 +45,10 @@ static void describe_path(const Screen *screen, Picture *picture)
 {
     const Simulation *sim = screen_simulation(screen);
     const Settings *settings = screen_settings(screen);
-    const Notch notch = notch_of(settings);
+    const Cut *notch = settings_notch(settings);
     const double load = settings_loads(settings)->position, height = settings_geometry(settings)->height;
     const double beside = height * 2 / 7;
-    double left = fmin(notch.x, load) - beside, right = fmax(notch.x, load) + beside;
+    double left = fmin(notch->position, load) - beside, right = fmax(notch->position, load) + beside;
     ShownRun runs[RUNS_MAX];
     const int n_runs = runs_with(runs, runs_of(screen, runs), "crack_x");
     for (int r = 0; r < n_runs; r++)
@@ -71,12 +62,12 @@ static void describe_path(const Screen *screen, Picture *picture)
                  "m", axis_make(0, height), "crack's path, y", "m");
     add_keys(screen, picture, runs, n_runs, "30 deg");
     const Pen pen = {LINE_DASHED, '-', STYLE_FAINT, RANK_PREDICTED, 0};
-    picture_line(picture, notch.x, 0, notch.x, notch.y, pen);
+    picture_line(picture, notch->position, 0, notch->position, notch->depth, pen);
     picture_line(picture, load, height, load, height - settings_bonds(settings)->protected_depth, pen);
     if (screen_shows_exact(screen)) {
-        const double towards = load < notch.x ? -1 : 1, rise = height - notch.y;
-        const double end = notch.x + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180);
-        picture_line(picture, notch.x, notch.y, end, height, pen_exact);
+        const double towards = load < notch->position ? -1 : 1, rise = height - notch->depth;
+        const double end = notch->position + towards * rise * math_tan(CRACK_PAPER_ANGLE * M_PI / 180);
+        picture_line(picture, notch->position, notch->depth, end, height, pen_exact);
     }
     for (int r = 0; r < n_runs; r++) {
         /* The path of an earlier run with its notch, as it was last on screen. */
@@ -95,7 +86,7 @@ static void describe_path(const Screen *screen, Picture *picture)
     double *path = malloc(2 * most * sizeof *path);
     const size_t count = path ? crack_line(sim, path, path + most, most) : 0;
     plot_begin(plot, STROKE_LINE, pen_measured);
-    plot_point(plot, notch.x, notch.y);
+    plot_point(plot, notch->position, notch->depth);
     for (size_t i = 0; i < count; i++)
         plot_point(plot, path[i], path[most + i]);
     free(path);
@@ -109,7 +100,7 @@ static void describe_path(const Screen *screen, Picture *picture)
 
 typedef struct CrackColumns {
     int x, y, length, dissipated, speed;
-    Notch notch;
+    const Cut *notch;
     double thickness, horizon;
 } CrackColumns;
 
@@ -117,7 +108,8 @@ typedef struct CrackColumns {
 static double tip_angle(const double *row, const void *context)
 {
     const CrackColumns *columns = context;
-    const double rise = row[columns->y] - columns->notch.y, aside = row[columns->x] - columns->notch.x;
+    const double rise = row[columns->y] - columns->notch->depth,
+                 aside = row[columns->x] - columns->notch->position;
     return rise > 0 ? math_atan(aside / rise) * 180 / M_PI : NAN;
 }
 
@@ -153,7 +145,7 @@ static void describe_over_time(const Screen *screen, Picture *picture, const Cra
                                     runs_column(&runs[r], "crack_length"),
                                     runs_column(&runs[r], "dissipated"),
                                     runs_column(&runs[r], "crack_speed"),
-                                    notch_of(runs[r].settings),
+                                    settings_notch(runs[r].settings),
                                     settings_geometry(runs[r].settings)->thickness,
                                     settings_lattice(runs[r].settings)->horizon};
         for (size_t i = 0; i < runs[r].record->count; i += time_plot_stride(runs[r].record)) {

@@ -147,59 +147,41 @@ static double mean_height(const Stack *stack, double time, double swing, int upt
     return sum / SAMPLES;
 }
 
-static void begin_layer(Plot *plot, const Stack *stack, int layer)
+/* The mean height of the first `upto` layers over the rows of a column of dots. */
+static double column_height(const Stack *stack, double from, double to, int upto)
 {
-    const Layer drawn = stack->layers[layer];
-    plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, "#+.:"[layer & 3], drawn.style, RANK_BAND, drawn.fill});
+    const size_t first = record_find(stack->record, from), end = record_find(stack->record, to);
+    double sum = 0;
+    for (size_t k = first; k <= end; k++)
+        sum += stack_height(stack, k, upto);
+    return sum / (double)(end - first + 1);
 }
 
-static void add_means(Picture *picture, const Stack *stack, double swing)
-{
-    Plot *plot = &picture->plot;
-    const int dots = picture->dots;
-    const Record *record = stack->record;
-    const double step = (plot->x.high - plot->x.low) / dots;
-    const double newest = record->count ? record_row(record, record->count - 1)[1] : -INFINITY;
-    for (int layer = 0; layer < stack->count; layer++) {
-        begin_layer(plot, stack, layer);
-        for (int i = 0; i < dots && plot->x.low + i * step <= newest; i++) {
-            const double time = plot->x.low + (i + 0.5) * step;
-            plot_point(plot, time, mean_height(stack, time, swing, layer));
-            plot_point(plot, time, mean_height(stack, time, swing, layer + 1));
-        }
-    }
-}
-
-/* One point a column of dots: the row at its middle. Bands need no extremes: their edges are sums that hardly
- * change within a column when the curve's swing is wider than one; where it is narrower, the mean is told. */
-static void add_stack(Picture *picture, const Stack *stack)
+/* One point a column of dots: the rows of it. Bands need no extremes: their edges are sums that hardly change
+ * within a column when the curve's swing is wider than one; where it is narrower, its mean is told. */
+static void add_bands(Picture *picture, const Stack *stack, double swing, bool means)
 {
     Plot *plot = &picture->plot;
     const int dots = picture->dots;
     const Record *record = stack->record;
     const double step = (plot->x.high - plot->x.low) / dots;
     const size_t begin = record_find(record, plot->x.low), last = record_find(record, plot->x.high);
-    const bool every_row = last - begin < (size_t)dots && is_fine(picture);
+    const bool every_row = !means && last - begin < (size_t)dots && is_fine(picture);
+    const double newest = record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
     for (int layer = 0; layer < stack->count; layer++) {
-        begin_layer(plot, stack, layer);
-        for (size_t k = begin; every_row && k <= last && k < record->count; k++) {
-            plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer));
-            plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + 1));
-        }
-        const double newest =
-            record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
-        for (int i = 0; i < dots; i++) {
-            double from = plot->x.low + i * step, low = 0, high = 0;
-            if (from > newest)
-                break;
-            size_t first = record_find(record, from), end = record_find(record, from + step);
-            for (size_t k = first; k <= end; k++) {
-                low += stack_height(stack, k, layer);
-                high += stack_height(stack, k, layer + 1);
-            }
-            double count = (double)(end - first + 1);
-            plot_point(plot, from + step / 2, low / count);
-            plot_point(plot, from + step / 2, high / count);
+        const Layer *drawn = &stack->layers[layer];
+        plot_begin(plot, STROKE_BAND,
+                   (Pen){LINE_SOLID, "#+.:"[layer & 3], drawn -> style, RANK_BAND, drawn -> fill});
+        for (size_t k = begin; every_row && k <= last && k < record->count; k++)
+            for (int edge = 0; edge < 2; edge++)
+                plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + edge));
+        for (int i = 0; i < dots && plot->x.low + i * step <= newest; i++) {
+            const double from = plot->x.low + i * step,
+                         time = means ? plot->x.low + (i + 0.5) * step : from + step / 2;
+            for (int edge = 0; edge < 2; edge++)
+                plot_point(plot, time,
+                           means ? mean_height(stack, time, swing, layer + edge)
+                                 : column_height(stack, from, from + step, layer + edge));
         }
     }
 }
@@ -359,8 +341,9 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                    screen_problem(screen)->si ? "J" : "");
     add_keys(picture, &stack, runs, n_runs, second, most_work > 0);
     const double swing = swing_of(screen);
-    if (swing > 0 && !is_fine(picture)) {
-        add_means(picture, &stack, swing);
+    const bool means = swing > 0 && !is_fine(picture);
+    add_bands(picture, &stack, swing, means);
+    if (means) {
         /* Each band that is high enough to be read has its name in it: colours alone would not tell them
          * apart. */
         const Axis *x = &picture->plot.x, *y = &picture->plot.y;
@@ -373,8 +356,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             if (high - low > least)
                 picture_label(picture, &label);
         }
-    } else {
-        add_stack(picture, &stack);
     }
     if (most_work > 0) {
         plot_begin(&picture->plot, STROKE_LINE, pen_predicted);

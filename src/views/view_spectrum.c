@@ -192,31 +192,24 @@ static int peaks_of(const Scale *scale, bool fast, double peaks[PEAKS_MAX])
     return count;
 }
 
-/* Why there is no picture yet; false: there is one. */
+/* Says why there is no picture yet; false: there is one. */
 static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice choice, const Mark *marks,
-                       int n_marks, char out[160])
+                       int n_marks, Picture *picture, const char *name)
 {
-    const Readout *readout = experiment_readout(screen->experiment);
+    const double needed = n_marks > 0 ? PERIODS_LEAST * 2 * M_PI / marks[0].frequency : INFINITY;
     char time[48];
-    if (!screen_problem(screen)->si && !readout->moving) {
-        snprintf(out, 160, "Nothing vibrates here: there is no line to look for.");
-        return true;
-    }
-    if (!spectrum) {
-        snprintf(out, 160, "needs more time: %d rows at least", SPECTRUM_ROWS_MIN);
-        return true;
-    }
-    if (choice.fast)
+    if (!screen_problem(screen)->si && !experiment_readout(screen->experiment)->moving)
+        picture_say(picture, name, "Nothing vibrates here: there is no line to look for.");
+    else if (!spectrum)
+        picture_say(picture, name, "needs more time: %d rows at least", SPECTRUM_ROWS_MIN);
+    else if (choice.fast || spectrum->to >= needed)
         return false;
-    if (n_marks == 0) {
-        snprintf(out, 160, "needs more time: no period is known yet");
-        return true;
+    else if (n_marks == 0)
+        picture_say(picture, name, "needs more time: no period is known yet");
+    else {
+        screen_time_text(screen, needed, time, sizeof time);
+        picture_say(picture, name, "needs more time: two periods, that is until %s", time);
     }
-    const double needed = PERIODS_LEAST * 2 * M_PI / marks[0].frequency;
-    if (spectrum->to >= needed)
-        return false;
-    screen_time_text(screen, needed, time, sizeof time);
-    snprintf(out, 160, "needs more time: two periods, that is until %s", time);
     return true;
 }
 
@@ -289,12 +282,10 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
     Scale scale = {.unit = !si ? 1 : 2e3 * M_PI};
     scale.spectrum = experiment_spectrum(screen->experiment, choice.column, span);
-    char name[64], text[160];
+    char name[64];
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
-    if (wants_time(screen, scale.spectrum, choice, marks, n_marks, text)) {
-        picture_say(picture, name, "%s", text);
+    if (wants_time(screen, scale.spectrum, choice, marks, n_marks, picture, name))
         return;
-    }
     const double range =
         choice.fast ? highest_of(screen) : slow_range(screen, scale.spectrum, marks, n_marks);
     scale.end = axis_round_up(range / scale.unit);

@@ -22,7 +22,7 @@
 #define HEAD_LEAST  2    /* columns of an arrow that has a head */
 #define STANDS      0.75 /* rows from an edge to what stands below or above it */
 
-enum { NOTHING = -1, RANK_ARROW = 3, CLOUD_DOTS = 3, ALL_DOTS = 0x28ff, THIN_DOTS = 0x2895 };
+enum { NOTHING = -1, CLOUD_DOTS = 3, ALL_DOTS = 0x28ff, THIN_DOTS = 0x2895 };
 
 /* A piece of a cell, and the nodes that cover it. */
 typedef struct Pixel {
@@ -341,7 +341,7 @@ static void show_crossings(const Sheet *sheet)
                 area.glyphs == GLYPHS_BRAILLE ? 0x2800u + crossing->dots : crossing->letter;
             const Cell *cell = area_cell(area, x, y);
             const int step = cell->style - STYLE_RAMP_0;
-            const bool behind = sheet->map->is_cloud && crossing->rank == 0;
+            const bool behind = sheet->map->is_cloud && crossing->rank == RANK_GRID;
             if (behind && cell->glyph != ' ' && cell->glyph != 0) {
                 continue; /* cells of the grid are behind the particles */
             } else if (!sheet->coloured || step < 0)
@@ -360,7 +360,7 @@ static void draw_arrows(const Sheet *sheet, bool heads)
 {
     for (int i = 0; i < sheet->picture->n_arrows; i++) {
         const PictureArrow *arrow = &sheet->picture->arrows[i];
-        const Stroke shaft = {.style = arrow->style, .rank = RANK_ARROW};
+        const Stroke shaft = {.style = arrow->style, .rank = RANK_BEFORE};
         double from[2], to[2];
         /* Its ends in cells, between dots a little short of both, and its length in columns; a cell is
          * twice as high as wide. */

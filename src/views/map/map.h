@@ -105,11 +105,11 @@ void map_body_line(Map *, const double from[2], const double to[2], Stroke pen);
  */
 void map_row_ends(const Settings *, int kind, int row, double ends[2][2]);
 
+/* The corners of a row that is a rectangle, the first one again at the end. */
+void map_row_corners(double ends[2][2], double corners[5][2]);
+
 /* Which way is out at an edge of a plate: to the right, upwards. */
 void map_row_side(int edge, signed char side[2]);
-
-/* Earlier runs, of those that are kept, in which the body cracked: how many. */
-int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
 
 /* The parts of the picture, in the order in which they are drawn. */
 void map_add_bonds(Map *);

@@ -12,6 +12,7 @@
 #include "base/text.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 
 enum { LENGTHS_MAX = 4 };
@@ -60,29 +61,24 @@ static void trace(const Drawing *drawing, StrokeKind kind, Style style, int coun
 }
 
 /* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
- */
-static void put_label(const Drawing *drawing, PictureLabel label, const char *text)
+ * Of those in STYLE_NORMAL, which are sizes, each keeps a space from lines. */
+static void label(const Drawing *drawing, double x, double y, int side, Style style, const char *format, ...)
+    __attribute__((format(printf, 6, 7)));
+
+static void label(const Drawing *drawing, double x, double y, int side, Style style, const char *format, ...)
 {
-    label.on_line = label.side == 0;
-    snprintf(label.text, sizeof label.text, "%s", text);
+    PictureLabel label = {
+        .x = x, .y = y, .side = side, .style = style, .on_line = side == 0, .is_size = style == STYLE_NORMAL};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(label.text, sizeof label.text, format, arguments);
+    va_end(arguments);
     picture_label(drawing->picture, &label);
-}
-
-static void label(const Drawing *drawing, double x, double y, int side, const char *text, Style style)
-{
-    put_label(drawing, (PictureLabel){.x = x, .y = y, .side = side, .style = style}, text);
-}
-
-static void label_size(const Drawing *drawing, double x, double y, int side, const char *text)
-{
-    put_label(drawing, (PictureLabel){.x = x, .y = y, .side = side, .is_size = true}, text);
 }
 
 static void label_length(const Drawing *drawing, double x, double y, int side, double metres)
 {
-    char text[NUMBER_TEXT_MAX + 8];
-    snprintf(text, sizeof text, "%s mm", text_rounded(1e3 * metres, 4).text);
-    label_size(drawing, x, y, side, text);
+    label(drawing, x, y, side, STYLE_NORMAL, "%s mm", text_rounded(1e3 * metres, 4).text);
 }
 
 static void put(const Drawing *drawing, double x, double y, MarkKind kind, int up, uint32_t glyph)
@@ -118,7 +114,6 @@ static void add_pressure(const Drawing *drawing)
     const double half = settings_loads(settings)->width / 2, top = drawing->room.top,
                  from = column_of(drawing, settings_loads(settings)->position - half),
                  to = column_of(drawing, settings_loads(settings)->position + half);
-    char text[96];
     picture_add_mark(drawing->picture, (PictureMark){.x = (from + to) / 2,
                                                      .y = top,
                                                      .half = (to - from) / 2,
@@ -126,10 +121,9 @@ static void add_pressure(const Drawing *drawing)
                                                      .style = STYLE_HEADING,
                                                      .kind = MARK_STANDS,
                                                      .side = {0, 1}});
-    snprintf(text, sizeof text, "%s MPa on %s mm",
-             text_rounded(1e-6 * settings_loads(settings)->stress, 4).text,
-             text_rounded(1e3 * settings_loads(settings)->width, 4).text);
-    label_size(drawing, to + 1, top + 1, 1, text);
+    label(drawing, to + 1, top + 1, 1, STYLE_NORMAL, "%s MPa on %s mm",
+          text_rounded(1e-6 * settings_loads(settings)->stress, 4).text,
+          text_rounded(1e3 * settings_loads(settings)->width, 4).text);
     put(drawing, column_of(drawing, settings_supports(settings)->left), drawing->room.bottom, MARK_STANDS, -1,
         settings_supports(settings)->pinned ? 0x25b2 : 0x25cb);
     put(drawing, column_of(drawing, settings_supports(settings)->right), drawing->room.bottom, MARK_STANDS,
@@ -153,11 +147,10 @@ static void add_rows(const Drawing *drawing)
         for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
             double ends[2][2];
             map_row_ends(settings, kind, row, ends);
-            const double *a = ends[0], *c = ends[1], b[2] = {c[0], a[1]}, d[2] = {a[0], c[1]};
             if (kind == ROWS_PROBE)
                 continue; /* add_parts() has it */
             if (kind == ROWS_CUTS) {
-                add_line(drawing, a, c, STYLE_HEADING);
+                add_line(drawing, ends[0], ends[1], STYLE_HEADING);
             } else if (kind == ROWS_LOADS) {
                 /* Arrows beside the edge, and the size of the traction where there is room. */
                 const double sx = settings_row_value(settings, ROWS_LOADS, row, 3),
@@ -173,21 +166,18 @@ static void add_rows(const Drawing *drawing)
                     places[i][1] = row_of(drawing, ends[i][1] / height);
                 }
                 picture_spread(drawing->picture, places[0], places[1], (double[]){1, 1}, &arrow);
-                char text[NUMBER_TEXT_MAX + 8];
-                snprintf(text, sizeof text, "%s MPa", text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
-                if (up)
-                    label_size(drawing, fmax(places[0][0], places[1][0]) + 2, places[0][1] + up, 1, text);
-                else
-                    label_size(drawing, places[0][0] - 2 * right, (places[0][1] + places[1][1]) / 2, -right,
-                               text);
+                const double x = up ? fmax(places[0][0], places[1][0]) + 2 : places[0][0] - 2 * right,
+                             y = up ? places[0][1] + up : (places[0][1] + places[1][1]) / 2;
+                label(drawing, x, y, up ? 1 : -right, STYLE_NORMAL, "%s MPa",
+                      text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
             } else {
-                add_line(drawing, a, b, STYLE_FRAME);
-                add_line(drawing, b, c, STYLE_FRAME);
-                add_line(drawing, c, d, STYLE_FRAME);
-                add_line(drawing, d, a, STYLE_FRAME);
-                label(drawing, column_of(drawing, fmax(a[0], c[0])) + 1,
-                      row_of(drawing, (a[1] + c[1]) / 2 / drawing->body.size[1]), 1,
-                      settings->rows[kind].rows[row].name, STYLE_FAINT);
+                double corners[5][2];
+                map_row_corners(ends, corners);
+                for (int i = 0; i < 4; i++)
+                    add_line(drawing, corners[i], corners[i + 1], STYLE_FRAME);
+                label(drawing, column_of(drawing, fmax(ends[0][0], ends[1][0])) + 1,
+                      row_of(drawing, (ends[0][1] + ends[1][1]) / 2 / drawing->body.size[1]), 1, STYLE_FAINT,
+                      "%s", settings->rows[kind].rows[row].name);
             }
         }
 }
@@ -226,10 +216,8 @@ static void add_parts(const Drawing *drawing)
             const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
             trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
         }
-        char text[48];
-        snprintf(text, sizeof text, "→ %s m/s",
-                 text_rounded(settings_motion(drawing->settings)->speed, 4).text);
-        label(drawing, from + 2, row_of(drawing, 0.5), 1, text, STYLE_HEADING);
+        label(drawing, from + 2, row_of(drawing, 0.5), 1, STYLE_HEADING, "→ %s m/s",
+              text_rounded(settings_motion(drawing->settings)->speed, 4).text);
     } else if (drawing->scene.bent) {
         /* The ends of a beam that vibrates are held at half its height. */
         const double y = row_of(drawing, 0.5), low = drawing->body.low[0];
@@ -244,7 +232,7 @@ static void add_parts(const Drawing *drawing)
     put(drawing, x, row_of(drawing, probe[1]), MARK_PLACE, 0, 0x25cf);
     /* a line of cells makes room for words, a thin one does not */
     label(drawing, x + side, row_of(drawing, probe[1]) - (side > 0 && !drawing->picture->whole), side,
-          "probe", STYLE_MEASURED);
+          STYLE_MEASURED, "probe");
     for (int i = 0; i < drawing->n_lengths; i++)
         if (drawing->lengths[i].row < drawing->room.lengths) {
             /* "├── 65 mm ──┤", or upright: with a tick at both ends. */

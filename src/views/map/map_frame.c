@@ -223,8 +223,6 @@ void map_close(Map *map)
 
 /* --- the box around bodies ------------------------------------------------------------------------ */
 
-enum { RANK_CELLS, RANK_BOX, RANK_HATCH, RANK_MOVED };
-
 enum { MOVERS_MAX = 28 }; /* particles that show their velocity */
 #define MOVER_COLUMNS 5.0 /* from one to the next at least, and the longest arrow */
 #define MOVER_ROWS    2.5
@@ -349,7 +347,7 @@ static void add_moved(Map *map)
         to[0] = value[SHAPE] == BODY_BLOCK ? value[right ? X1 : X0] : value[CX] + radius * math_cos(angle);
         to[1] = value[SHAPE] == BODY_BLOCK ? value[up ? Y1 : Y0] : value[CY] + radius * math_sin(angle);
         if (i > 0)
-            picture_trace(map->picture, from, to, &(Stroke){.style = STYLE_CHANGED, .rank = RANK_MOVED});
+            picture_trace(map->picture, from, to, &(Stroke){.style = STYLE_CHANGED, .rank = RANK_BEFORE});
     }
 }
 
@@ -361,7 +359,7 @@ void map_add_box(Map *map)
     const BodyWall walls[2][2] = {{domain->left, domain->right}, {domain->bottom, domain->top}};
     /* A small cross at each node: lines from edge to edge would hide the particles. */
     const double cell = settings_mesh(map->settings)->cell_size;
-    const Stroke pen = {.style = STYLE_FRAME, .rank = RANK_CELLS, .letter = '.'};
+    const Stroke pen = {.style = STYLE_FRAME, .rank = RANK_GRID, .letter = '.'};
     const long columns = lround(map->body.size[0] / cell), rows = lround(map->body.size[1] / cell);
     const double arm = CROSS_ARM * cell;
     if (cell * map->drawn->scale[0] >= CELL_COLUMNS) {
@@ -381,8 +379,8 @@ void map_add_box(Map *map)
             const double out = high ? 1 : -1, depth = HATCH_ROWS / scale[1], apart = HATCH_COLUMNS / scale[0];
             const Stroke edge = {.line = walls[d][high] == WALL_OPEN ? LINE_DASHED : LINE_SOLID,
                                  .style = walls[d][high] == WALL_OPEN ? STYLE_FRAME : STYLE_HEADING,
-                                 .rank = RANK_BOX};
-            const Stroke hatch = {.style = STYLE_FRAME, .rank = RANK_HATCH, .letter = '/'};
+                                 .rank = RANK_ZONE};
+            const Stroke hatch = {.style = STYLE_FRAME, .rank = RANK_ANGLE, .letter = '/'};
             double from[2] = {0, 0}, to[2] = {size[0], size[1]};
             from[d] = to[d] = high ? size[d] : 0;
             picture_trace(map->picture, from, to, &edge);

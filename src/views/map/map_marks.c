@@ -18,8 +18,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RANK_ZONE = 1, RANK_ANGLE, RANK_BEFORE, RANK_WALL, RANK_NOTCH, RANK_PATH };
-
 /* --- the notched beam ----------------------------------------------------------------------------- */
 
 static void draw_zone(Map *map, double left, double right, double edge, double inner)
@@ -30,7 +28,8 @@ static void draw_zone(Map *map, double left, double right, double edge, double i
     map_body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
 }
 
-int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
+/* Earlier runs, of those that are kept, in which the body cracked: how many. */
+static int cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
 {
     const int n_runs = runs_of(map->screen, runs);
     int count = 0;
@@ -82,7 +81,7 @@ static void draw_notch(Map *map)
 static void name_cracks_before(Map *map)
 {
     ShownRun before[RUNS_MAX];
-    const int n_before = map_cracks_before(map, before);
+    const int n_before = cracks_before(map, before);
     for (int i = 0; i < n_before; i++) {
         PictureKey key = runs_key(&before[i]);
         char name[sizeof before[i].word + 16];
@@ -106,7 +105,7 @@ void map_add_lines(Map *map)
                           &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
     }
     ShownRun before[RUNS_MAX];
-    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--) {
+    for (int i = cracks_before(map, before) - 1; i >= 0; i--) {
         /* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
         enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
         const Stroke pen = {
@@ -212,7 +211,6 @@ void map_add_signs(Map *map)
 
 /* --- rows of a plate ------------------------------------------------------------------------------ */
 
-enum { RANK_REGION = 1, RANK_CUT = 4, RANK_CRACK, RANK_CHOSEN };
 enum { PROBE = '+', END = 0x25a0, TIP = 0x25cf, FORK = 'Y' };
 
 void map_row_ends(const Settings *settings, int kind, int row, double ends[2][2])
@@ -235,6 +233,14 @@ void map_row_ends(const Settings *settings, int kind, int row, double ends[2][2]
         }
 }
 
+void map_row_corners(double ends[2][2], double corners[5][2])
+{
+    for (int i = 0; i < 5; i++) {
+        corners[i][0] = ends[i == 1 || i == 2][0];
+        corners[i][1] = ends[i == 2 || i == 3][1];
+    }
+}
+
 void map_add_rows(Map *map)
 {
     int chosen_kind, chosen_row;
@@ -245,32 +251,30 @@ void map_add_rows(Map *map)
             if (kind != ROWS_LOADS || chosen) {
                 double ends[2][2];
                 map_row_ends(settings, kind, row, ends);
-                Stroke pen = {.style = STYLE_HEADING, .rank = RANK_CUT};
+                Stroke pen = {.style = STYLE_HEADING, .rank = RANK_WALL};
                 if (chosen)
-                    pen = (Stroke){.style = STYLE_CHANGED, .rank = RANK_CHOSEN};
+                    pen = (Stroke){.style = STYLE_CHANGED, .rank = RANK_PATH};
                 else if (kind == ROWS_PROTECTED)
-                    pen = (Stroke){
-                        .line = LINE_DASHED, .style = STYLE_FRAME, .rank = RANK_REGION, .letter = '~'};
+                    pen =
+                        (Stroke){.line = LINE_DASHED, .style = STYLE_FRAME, .rank = RANK_ZONE, .letter = '~'};
                 else if (kind != ROWS_CUTS)
                     pen = (Stroke){.line = LINE_DASHED,
                                    .style = STYLE_HEADING,
-                                   .rank = RANK_REGION,
+                                   .rank = RANK_ZONE,
                                    .letter = kind == ROWS_SUPPORTS ? '=' : ':'};
                 if (kind == ROWS_CUTS || kind == ROWS_LOADS)
                     map_body_line(map, ends[0], ends[1], pen);
                 else if (kind != ROWS_PROBE) {
-                    const double *a = ends[0], *c = ends[1];
-                    const double b[2] = {c[0], a[1]}, d[2] = {a[0], c[1]};
-                    map_body_line(map, a, b, pen);
-                    map_body_line(map, b, c, pen);
-                    map_body_line(map, c, d, pen);
-                    map_body_line(map, d, a, pen);
+                    double corners[5][2];
+                    map_row_corners(ends, corners);
+                    for (int i = 0; i < 4; i++)
+                        map_body_line(map, corners[i], corners[i + 1], pen);
                 }
             }
         }
     const CrackFronts *fronts = experiment_fronts(map->screen->experiment);
     /* on a page the damage itself is seen well enough, and the line would hide it */
-    const Stroke pen = {.style = STYLE_CHANGED, .rank = RANK_CRACK, .letter = '*', .coarse = true};
+    const Stroke pen = {.style = STYLE_CHANGED, .rank = RANK_NOTCH, .letter = '*', .coarse = true};
     for (int f = 0; fronts && f < fronts->count; f++)
         for (int k = 0; k < fronts->fronts[f].n_paths; k++) {
             const CrackPath *path = &fronts->fronts[f].paths[k];

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RANK_GRID = 0, RANK_CROSS = 4, LINKS_MAX = 16 };
+enum { LINKS_MAX = 16 };
 
 #define CROSS_ARM 0.8 /* of the distance of the particles: that of the body's largest stress */
 
@@ -130,7 +130,7 @@ static void add_cross(Map *map)
         const double across = length * math_cos(angle), up = length * math_sin(angle);
         const Stroke pen = {.line = values[i] < 0 ? LINE_DASHED : LINE_SOLID,
                             .style = values[i] < 0 ? STYLE_THIRD : STYLE_MEASURED,
-                            .rank = RANK_CROSS};
+                            .rank = RANK_WALL};
         picture_trace(map->picture, (double[]){x - across, y - up}, (double[]){x + across, y + up}, &pen);
     }
 }
