@@ -11,10 +11,8 @@
 
 const Parameter *edit_selected(const Screen *screen)
 {
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    int count = screen_parameter_rows(screen, rows);
-    int selected = screen->parameters->selected;
-    return selected >= 0 && selected < count ? rows[selected].parameter : NULL;
+    ParameterRow row;
+    return screen_chosen_row(screen, &row) ? row.parameter : NULL;
 }
 
 void edit_move(Laboratory *lab, int by)

@@ -53,6 +53,9 @@ typedef struct ParametersShown {
 /* The rows of the pane, for drawing and for moving in it. Returns how many. */
 int screen_parameter_rows(const Screen *, ParameterRow rows[PARAMETER_ROWS_MAX]);
 
+/* The row that is chosen; false: there is none. */
+bool screen_chosen_row(const Screen *, ParameterRow *);
+
 /* Whether a row of a plate, or the place for a new one, is chosen among them. */
 bool screen_selected_row(const Screen *, RowPlace *);
 

@@ -264,12 +264,10 @@ static void draw_prompt(const Screen *screen, Area area)
 static void draw_keys(const Screen *screen, Area area)
 {
     lay_out_bar(screen, area.rect.width, &area, -1);
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows);
-    if (!screen->parameters->edit.open || screen->parameters->selected < 0 ||
-        screen->parameters->selected >= count || !rows[screen->parameters->selected].parameter)
+    ParameterRow row;
+    if (!screen->parameters->edit.open || !screen_chosen_row(screen, &row) || !row.parameter)
         return;
-    const Parameter *parameter = rows[screen->parameters->selected].parameter;
+    const Parameter *parameter = row.parameter;
     char range[96], text[320];
     const Problem *problem = screen_settings(screen)->problem;
     parameter_range(parameter, problem, range, sizeof range);

@@ -100,13 +100,12 @@ static void write_all(Scribe *pen, const Screen *screen)
                          screen->lesson->verdict_right ? STYLE_CHANGED : STYLE_WARNING);
         if (page->question ? screen->lesson->answer >= 0 : screen->lesson->met)
             write_paragraphs(pen, page->revealed.text, STYLE_NORMAL);
-        ParameterRow rows[PARAMETER_ROWS_MAX];
-        const int count = page->n_fields ? screen_parameter_rows(screen, rows) : 0;
+        ParameterRow row = {.parameter = NULL};
+        if (page->n_fields > 0)
+            screen_chosen_row(screen, &row);
         for (int i = 0; i < page->n_fields; i++) {
             const Parameter *parameter = parameter_find(page->fields[i]);
-            const bool chosen = screen->parameters->selected >= 0 && screen->parameters->selected < count &&
-                                rows[screen->parameters->selected].parameter == parameter;
-            pane_parameter(screen, pen->area, pen->y++, parameter, chosen);
+            pane_parameter(screen, pen->area, pen->y++, parameter, row.parameter == parameter);
             pen->end = pen->y;
         }
     } else

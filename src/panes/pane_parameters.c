@@ -12,22 +12,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool holds(const char *text, const char *part)
-{
-    size_t length = strlen(part);
-    for (; *text; text++) {
-        size_t i = 0;
-        while (i < length && text[i] && tolower((unsigned char)text[i]) == tolower((unsigned char)part[i]))
-            i++;
-        if (i == length)
-            return true;
-    }
-    return length == 0;
-}
-
 static bool passes(const ParametersShown *shown, const char *label, const char *key)
 {
-    return holds(label, shown->filter) || holds(key, shown->filter);
+    return strcasestr(label, shown->filter) || strcasestr(key, shown->filter);
 }
 
 /* Whether a derived number is one of the fields too. */
@@ -65,21 +52,13 @@ static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room
 
 const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
 {
-    ParameterRow rows[PARAMETER_ROWS_MAX];
     const RowsShown *shown = &screen->parameters->rows;
-    *kind = *row = -1;
-    if (shown->placing) {
-        *kind = shown->kind;
-        *row = shown->row;
-        return shown->draft;
-    }
-    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
-    if (screen_is_focused(screen, PANE_PARAMETERS) && selected >= 0 && selected < count &&
-        rows[selected].is_row) {
-        *kind = rows[selected].place.kind;
-        *row = rows[selected].place.row;
-    }
-    return screen_settings(screen);
+    RowPlace place = {.kind = -1, .row = -1};
+    const bool any =
+        !shown->placing && screen_is_focused(screen, PANE_PARAMETERS) && screen_selected_row(screen, &place);
+    *kind = shown->placing ? shown->kind : any ? place.kind : -1;
+    *row = shown->placing ? shown->row : any ? place.row : -1;
+    return shown->placing ? shown->draft : screen_settings(screen);
 }
 
 int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS_MAX])
@@ -127,14 +106,23 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     return count;
 }
 
-bool screen_selected_row(const Screen *screen, RowPlace *place)
+bool screen_chosen_row(const Screen *screen, ParameterRow *row)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
-    if (selected < 0 || selected >= count || !rows[selected].is_row)
-        return false;
-    *place = rows[selected].place;
-    return true;
+    const bool any = selected >= 0 && selected < count;
+    if (any)
+        *row = rows[selected];
+    return any;
+}
+
+bool screen_selected_row(const Screen *screen, RowPlace *place)
+{
+    ParameterRow row;
+    const bool any = screen_chosen_row(screen, &row) && row.is_row;
+    if (any)
+        *place = row.place;
+    return any;
 }
 
 int screen_row_of(const Screen *screen, const Parameter *parameter)

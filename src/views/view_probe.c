@@ -16,12 +16,9 @@
 /* The columns that can be in the probe view: what is measured and is no energy. */
 static bool is_energy(const char *name)
 {
-    static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",    "work",    "dissipated",
-                                           "damped",  "total",        "potential", "friction"};
-    for (size_t i = 0; i < sizeof energies / sizeof *energies; i++)
-        if (strcmp(name, energies[i]) == 0)
-            return true;
-    return false;
+    static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",    "work",     "dissipated",
+                                           "damped",  "total",        "potential", "friction", NULL};
+    return text_place_in(name, energies) >= 0;
 }
 
 /* What a beam that breaks is looked at for comes first; where bonds never break there is nothing to count. */

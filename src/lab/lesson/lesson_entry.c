@@ -257,28 +257,29 @@ static bool is_arriving(const Laboratory *lab)
     return lab->play.arriving && lesson_entry_page(lab);
 }
 
-/* Turning to another page, closing the lesson or the program does not wait, unless something before it does.
- */
-static bool leaves(const Laboratory *lab, const Key *key)
+/* Whether a key is that of one of some commands, which end with COMMAND_NONE. */
+static bool is_one_of(const Key *key, const CommandId *ids)
 {
-    static const CommandId leaving[] = {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, COMMAND_LESSONS, COMMAND_QUIT};
     const Command *command = command_by_key(key->name);
-    bool known = strcmp(key->name, "n") == 0 || strcmp(key->name, "b") == 0;
-    for (size_t i = 0; command && i < sizeof leaving / sizeof *leaving; i++)
-        known = known || command->id == leaving[i];
-    return known && lab->play.n_waiting == 0;
+    while (command && *ids != COMMAND_NONE && command->id != *ids)
+        ids++;
+    return command && *ids != COMMAND_NONE;
 }
 
 bool lesson_entry_keeps(Laboratory *lab, const Key *key)
 {
-    static const CommandId always[] = {COMMAND_INTERRUPT, COMMAND_CANCEL, COMMAND_REDRAW, COMMAND_SUSPEND};
+    static const CommandId always[] = {COMMAND_INTERRUPT, COMMAND_CANCEL, COMMAND_REDRAW, COMMAND_SUSPEND,
+                                       COMMAND_NONE},
+                           leaving[] = {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, COMMAND_LESSONS, COMMAND_QUIT,
+                                        COMMAND_NONE};
     LessonPlay *play = &lab->play;
-    const Command *command = command_by_key(key->name);
-    if (!is_arriving(lab) || leaves(lab, key) || (lab->prompting.shown.open && lab->prompting.shown.yes_no))
+    /* Turning to another page, closing the lesson or the program does not wait, unless something before it
+     * does. */
+    const bool leaves = play->n_waiting == 0 && (strcmp(key->name, "n") == 0 || strcmp(key->name, "b") == 0 ||
+                                                 is_one_of(key, leaving));
+    if (!is_arriving(lab) || leaves || (lab->prompting.shown.open && lab->prompting.shown.yes_no) ||
+        is_one_of(key, always))
         return false;
-    for (size_t i = 0; command && i < sizeof always / sizeof *always; i++)
-        if (command->id == always[i])
-            return false;
     if (key->x < 0 && play->n_waiting < LESSON_KEYS_MAX)
         play->waiting[play->n_waiting++] = *key;
     laboratory_tell(lab, "the page is on its way, and keys wait for it; ^C gives it up");
@@ -500,17 +501,15 @@ bool lesson_entry_is_stepping(const Laboratory *lab)
 void lesson_entry_note(Laboratory *lab, const Key *key)
 {
     static const CommandId harmless[] = {
-        COMMAND_RUN_PAUSE, COMMAND_STEP_FORWARD,  COMMAND_STEP_FORWARD_TEN, COMMAND_STAGE_FORWARD,
-        COMMAND_STEP_BACK, COMMAND_STEP_BACK_TEN, COMMAND_STAGE_BACK,       COMMAND_FASTER,
-        COMMAND_SLOWER,    COMMAND_ENTER,         COMMAND_PAGE_UP,          COMMAND_PAGE_DOWN,
-        COMMAND_NARROWER,  COMMAND_REDRAW};
+        COMMAND_RUN_PAUSE,     COMMAND_STEP_FORWARD, COMMAND_STEP_FORWARD_TEN,
+        COMMAND_STAGE_FORWARD, COMMAND_STEP_BACK,    COMMAND_STEP_BACK_TEN,
+        COMMAND_STAGE_BACK,    COMMAND_FASTER,       COMMAND_SLOWER,
+        COMMAND_ENTER,         COMMAND_PAGE_UP,      COMMAND_PAGE_DOWN,
+        COMMAND_NARROWER,      COMMAND_REDRAW,       COMMAND_NONE};
     const LessonPage *page = lesson_entry_page(lab);
-    const Command *command = command_by_key(key->name);
     const bool answers = page && page->question && lab->play.shown.answer < 0 && key->name[0] >= '1' &&
                          key->name[0] < '1' + page->n_choices && !key->name[1];
-    bool known = answers;
-    for (size_t i = 0; command && i < sizeof harmless / sizeof *harmless; i++)
-        known = known || command->id == harmless[i];
-    if (page && (!known || lab->parameters.edit.open || lab->prompting.shown.open))
+    if (page &&
+        (!(answers || is_one_of(key, harmless)) || lab->parameters.edit.open || lab->prompting.shown.open))
         lab->play.touched = true;
 }

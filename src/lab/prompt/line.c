@@ -212,12 +212,10 @@ static bool tell(Laboratory *lab, const char *words)
 
 static bool references(Laboratory *lab, const char *words)
 {
-    for (int i = 0; i < SHOW_COUNT; i++)
-        if (strcmp(words, parameter_reference_words[i]) == 0) {
-            lab->screen.views.references = (ReferencesShown)i;
-            return true;
-        }
-    return prompt_refuse(lab, "which reference curves? (all | exact | predicted | none)");
+    const int which = text_place_in(words, parameter_reference_words);
+    if (which >= 0)
+        lab->screen.views.references = (ReferencesShown)which;
+    return which >= 0 || prompt_refuse(lab, "which reference curves? (all | exact | predicted | none)");
 }
 
 static bool sheet(Laboratory *lab, const char *words)

@@ -82,41 +82,33 @@ static double draw_all_notes(Paper *paper, const Picture *picture, bool alone, B
     return results + (alone ? draw_notes(paper, picture, true, box) : 0);
 }
 
-/* What stands above and below the picture itself; `alone`: with a legend of its own. */
-static double height_around(const FigurePanel *panel, double width, bool alone)
-{
-    const Box box = {0, 0, width, 0};
-    double height = panel->caption[0] ? LINE_HEIGHT * SIZE_WORDS : 0;
-    if (alone && panel->picture.n_keys > 0)
-        height += draw_legend_rows(NULL, &panel->picture, box) + 2;
-    if (alone)
-        height += draw_heat_bar(NULL, &panel->picture, box);
-    const double notes = draw_all_notes(NULL, &panel->picture, alone, box);
-    return height + (notes > 0 ? notes + 4 : 0);
-}
-
-static void draw_panel(Paper *paper, const FigurePanel *panel, Box box, bool alone)
+/* A picture with what stands above and below it, of which the height is returned; without paper that is only
+ * measured. `alone`: with a legend of its own. */
+static double draw_panel(Paper *paper, const FigurePanel *panel, Box box, bool alone)
 {
     const Type caption = {.size = SIZE_WORDS, .bold = true};
-    if (panel->caption[0]) {
-        draw_words(paper, box.x, box.y + SIZE_WORDS, panel->caption, &caption);
-        box.y += LINE_HEIGHT * SIZE_WORDS;
-        box.height -= LINE_HEIGHT * SIZE_WORDS;
-    }
-    if (alone && panel->picture.n_keys > 0) {
-        const double height = draw_legend_rows(paper, &panel->picture, box) + 2;
-        box.y += height;
-        box.height -= height;
-    }
-    double notes = draw_all_notes(NULL, &panel->picture, alone, box);
+    const Picture *picture = &panel->picture;
+    const double heights[] = {panel->caption[0] ? LINE_HEIGHT * SIZE_WORDS : 0,
+                              alone && picture->n_keys > 0 ? draw_legend_rows(NULL, picture, box) + 2 : 0};
+    const double bar = alone ? draw_heat_bar(NULL, picture, box) : 0;
+    double notes = draw_all_notes(NULL, picture, alone, box);
     notes += notes > 0 ? 4 : 0;
-    const double bar = alone ? draw_heat_bar(NULL, &panel->picture, box) : 0;
+    if (!paper)
+        return heights[0] + heights[1] + bar + notes;
+    for (int i = 0; i < 2; i++) {
+        if (i == 0 && heights[0] > 0)
+            draw_words(paper, box.x, box.y + SIZE_WORDS, panel->caption, &caption);
+        else if (heights[i] > 0)
+            draw_legend_rows(paper, picture, box);
+        box.y += heights[i];
+        box.height -= heights[i];
+    }
     box.height -= notes + bar;
-    draw_plot(paper, &panel->picture, box);
+    draw_plot(paper, picture, box);
     if (bar > 0)
-        draw_heat_bar(paper, &panel->picture, (Box){box.x, box.y + box.height, box.width, bar});
-    draw_all_notes(paper, &panel->picture, alone,
-                   (Box){box.x, box.y + box.height + bar + 4, box.width, notes});
+        draw_heat_bar(paper, picture, (Box){box.x, box.y + box.height, box.width, bar});
+    draw_all_notes(paper, picture, alone, (Box){box.x, box.y + box.height + bar + 4, box.width, notes});
+    return heights[0] + heights[1] + bar + notes;
 }
 
 /* --- the whole ------------------------------------------------------------------------------------- */
@@ -184,7 +176,7 @@ static double lay_out(Paper *paper, const Figure *figure, double height)
     const double wide = panel_width(figure, figure->count);
     double around = 0;
     for (int i = 0; i < figure->count; i++)
-        around = fmax(around, height_around(figure->panels[i], wide, !common));
+        around = fmax(around, draw_panel(NULL, figure->panels[i], (Box){0, 0, wide, 0}, !common));
     double high = plot_height(figure) + around;
     if (height > 0)
         high = (height - y - foot - 6 - MARGIN - (rows - 1) * MARGIN) / rows;

@@ -126,11 +126,8 @@ static void tell_number(const Screen *screen, Words *words)
 
 static bool is_of_setup(const Parameter *parameter)
 {
-    static const char *const groups[] = {"Supports", "Notch", "Load", "Motion"};
-    for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
-        if (strcmp(parameter->group, groups[i]) == 0)
-            return true;
-    return strcmp(parameter->key, "bar.supports") == 0;
+    static const char *const groups[] = {"Supports", "Notch", "Load", "Motion", NULL};
+    return text_place_in(parameter->group, groups) >= 0 || strcmp(parameter->key, "bar.supports") == 0;
 }
 
 /* A line for each heading of the parameters that is of it, and one for each row; what does nothing is left
@@ -214,25 +211,24 @@ static void tell_row(const Settings *settings, const RowPlace *place, Words *wor
 
 static void tell_parameter(const Screen *screen, Words *words)
 {
-    ParameterRow rows[PARAMETER_ROWS_MAX];
-    const int count = screen_parameter_rows(screen, rows), selected = screen->parameters->selected;
     const Settings *settings = screen_settings(screen);
-    const ParameterRow *row = selected >= 0 && selected < count ? &rows[selected] : NULL;
-    if (row && row->is_row)
-        tell_row(settings, &row->place, words);
-    else if (row && row->derived >= 0) {
-        const int index = row->derived;
+    ParameterRow row;
+    if (!screen_chosen_row(screen, &row))
+        return;
+    if (row.is_row)
+        tell_row(settings, &row.place, words);
+    else if (row.derived >= 0) {
         Derived derived[DERIVED_MAX];
         experiment_derived(screen->experiment, derived);
-        words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[index].label,
-                  text_rounded(derived[index].value, DIGITS).text, derived[index].unit);
+        words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[row.derived].label,
+                  text_rounded(derived[row.derived].value, DIGITS).text, derived[row.derived].unit);
     }
-    if (!row || !row->parameter)
+    if (!row.parameter)
         return;
     char value[LIST_MAX], range[160];
-    settings_show(settings, row->parameter, value);
-    parameter_range(row->parameter, settings->problem, range, sizeof range);
-    words_say(words, 2, "Parameter %s (%s): %s; allowed: %s.", row->parameter->label, row->parameter->key,
+    settings_show(settings, row.parameter, value);
+    parameter_range(row.parameter, settings->problem, range, sizeof range);
+    words_say(words, 2, "Parameter %s (%s): %s; allowed: %s.", row.parameter->label, row.parameter->key,
               *value ? value : "-", range);
 }
 
