@@ -211,6 +211,43 @@ static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
     return out[0] != '\0';
 }
 
+static void draw_caption(const Screen *screen, Area area)
+{
+    const int width = area.rect.width - 2, rows = area.rect.height;
+    char lines[256], news[512], hint[160];
+    line_words(screen, false, lines, sizeof lines);
+    if (5 + glyphs_columns(lines) > area.rect.width)
+        line_words(screen, true, lines, sizeof lines);
+    const bool in_heading =
+        title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
+    draw_caption_heading(screen, area, lines, in_heading);
+
+    int last = rows - 1, y = 1;
+    Style style;
+    const bool has_news = news_of(screen, news, sizeof news, &style);
+    const int needed = has_news ? area_paragraph_lines(width, news) : 0;
+    if (!screen->lesson->open && last > y && needed < last) { /* what happens is told whole before any hint */
+        hint_of(screen, hint, sizeof hint);
+        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
+        draw_offers(screen, area, last--, hint[0] ? end : 0);
+    }
+    if (!in_heading && last - needed >= y)
+        y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
+    if (has_news)
+        last -= draw_from_below(area, y, last, news, style);
+    char about[ABOUT_MAX];
+    /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
+     * have left, or be hidden. */
+    memcpy(about, screen_settings(screen)->about, ABOUT_MAX);
+    if (!is_drawn(screen, LINE_DOTTED))
+        drop_sentences(about, "otted");
+    if (!is_drawn(screen, LINE_DASHED))
+        drop_sentences(about, "ashed");
+    keep_sentences(about, width, last - y + 1);
+    if (about[0])
+        area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
+}
+
 /* --- summary, and the box ------------------------------------------------------------------------- */
 
 static void draw_summary(const Screen *screen, Area area)
@@ -283,43 +320,10 @@ static bool draw_box(const Screen *screen, Area area)
                        STYLE_NORMAL);
     } else if (screen_second_run(screen) && between)
         pane_duel(screen, area);
-    else if (screen_is_running(screen) || screen->playback->state == STATE_COMPUTING) {
-        const int width = area.rect.width - 2, rows = area.rect.height;
-        char lines[256], news[512], hint[160];
-        line_words(screen, false, lines, sizeof lines);
-        if (5 + glyphs_columns(lines) > area.rect.width)
-            line_words(screen, true, lines, sizeof lines);
-        const bool in_heading =
-            title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
-        draw_caption_heading(screen, area, lines, in_heading);
-
-        int last = rows - 1, y = 1;
-        Style style;
-        const bool has_news = news_of(screen, news, sizeof news, &style);
-        const int needed = has_news ? area_paragraph_lines(width, news) : 0;
-        if (!screen->lesson->open && last > y &&
-            needed < last) { /* what happens is told whole before any hint */
-            hint_of(screen, hint, sizeof hint);
-            const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
-            draw_offers(screen, area, last--, hint[0] ? end : 0);
-        }
-        if (!in_heading && last - needed >= y)
-            y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
-        if (has_news)
-            last -= draw_from_below(area, y, last, news, style);
-        char about[ABOUT_MAX];
-        /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
-         * have left, or be hidden. */
-        memcpy(about, screen_settings(screen)->about, ABOUT_MAX);
-        if (!is_drawn(screen, LINE_DOTTED))
-            drop_sentences(about, "otted");
-        if (!is_drawn(screen, LINE_DASHED))
-            drop_sentences(about, "ashed");
-        keep_sentences(about, width, last - y + 1);
-        if (about[0])
-            area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
-    } else if ((screen->playback->state == STATE_ENDED || screen->playback->state == STATE_FAILED) &&
-               experiment_stage(screen->experiment) == 0)
+    else if (screen_is_running(screen) || screen->playback->state == STATE_COMPUTING)
+        draw_caption(screen, area);
+    else if ((screen->playback->state == STATE_ENDED || screen->playback->state == STATE_FAILED) &&
+             experiment_stage(screen->experiment) == 0)
         draw_summary(screen, area);
     else
         pane_stage(screen, area);

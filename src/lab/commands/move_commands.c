@@ -10,7 +10,6 @@
 #include "lab/commands/commands.h"
 #include "lab/edit.h"
 #include "views/inspector/inspector.h"
-#include "views/view.h"
 #include "panes/screen.h"
 #include "views/plots/plots.h"
 

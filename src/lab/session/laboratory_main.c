@@ -3,7 +3,6 @@
 #include "lab/session/laboratory_main.h"
 
 #include "base/output.h"
-#include "base/visible.h"
 #include "lab/laboratory.h"
 #include "terminal/terminal.h"
 #include "lab/session/script.h"

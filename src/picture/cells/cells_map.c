@@ -549,6 +549,41 @@ static void draw_scale(const Picture *picture, Area area, int colours, int y)
         area_text_right(area, area.rect.width - 1, y, said, note->style);
 }
 
+static void put_marks(const Sheet *sheet)
+{
+    for (size_t i = 0; i < sheet->picture->n_marks; i++) {
+        const PictureMark *mark = &sheet->picture->marks[i];
+        double column, row;
+        mark_place(sheet, mark, &column, &row);
+        if (!is_inside(sheet, column, row))
+            continue;
+        area_put(sheet->area, (int)column, (int)row,
+                 mark->kind == MARK_BAR ? area_bar(sheet->area, mark->share) : mark->glyph, mark->style);
+        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
+            canvas_mark(sheet->area.canvas, column, row, mark->glyph, mark->style);
+    }
+}
+
+static void put_labels(const Sheet *sheet)
+{
+    const Picture *picture = sheet->picture;
+    for (int i = 0; i < picture->n_labels; i++) {
+        /* To the right of its sign, or above that where there is room. */
+        const PictureLabel *label = &picture->labels[i];
+        enum { BEHIND = 2, FREE = 14 };
+        const PictureMark at = {.x = label->x, .y = label->y, .kind = MARK_STANDS, .side = {0, 1}};
+        double column, row;
+        mark_place(sheet, &at, &column, &row);
+        const int x = (int)floor(column) + BEHIND;
+        int y = (int)row;
+        if (x >= 0) {
+            while (y > 0 && !is_blank(sheet->area, x, y, FREE))
+                y--;
+            area_text_whole(sheet->area, x, y, sheet->area.rect.width - x, label->text, label->style);
+        }
+    }
+}
+
 /* --- the whole -------------------------------------------------------------------------------------- */
 
 void cells_map_body(const Picture *picture, Area area, int colours)
@@ -584,33 +619,9 @@ void cells_map_body(const Picture *picture, Area area, int colours)
     show_crossings(&sheet);
     if (picture->map->is_near)
         draw_dots(&sheet);
-    for (size_t i = 0; i < sheet.picture->n_marks; i++) {
-        const PictureMark *mark = &sheet.picture->marks[i];
-        double column, row;
-        mark_place(&sheet, mark, &column, &row);
-        if (!is_inside(&sheet, column, row))
-            continue;
-        area_put(sheet.area, (int)column, (int)row,
-                 mark->kind == MARK_BAR ? area_bar(sheet.area, mark->share) : mark->glyph, mark->style);
-        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
-            canvas_mark(sheet.area.canvas, column, row, mark->glyph, mark->style);
-    }
+    put_marks(&sheet);
     draw_arrows(&sheet, true);
-    for (int i = 0; i < picture->n_labels; i++) {
-        /* To the right of its sign, or above that where there is room. */
-        const PictureLabel *label = &picture->labels[i];
-        enum { BEHIND = 2, FREE = 14 };
-        const PictureMark at = {.x = label->x, .y = label->y, .kind = MARK_STANDS, .side = {0, 1}};
-        double column, row;
-        mark_place(&sheet, &at, &column, &row);
-        const int x = (int)floor(column) + BEHIND;
-        int y = (int)row;
-        if (x >= 0) {
-            while (y > 0 && !is_blank(sheet.area, x, y, FREE))
-                y--;
-            area_text_whole(sheet.area, x, y, sheet.area.rect.width - x, label->text, label->style);
-        }
-    }
+    put_labels(&sheet);
     name_lines(&sheet);
     free(sheet.pixels);
 }

@@ -32,6 +32,30 @@ static size_t letters_of(const char *text)
     return count;
 }
 
+/* How wide a text is, in sizes. Nobody knows with which font an SVG will be shown: DejaVu Sans is among the
+ * wide ones, so what is laid out for it does not collide, and a page is laid out in the same way in every
+ * kind of file. Hundredths of the size, from the space to the tilde. */
+static double advance_of(const char *text)
+{
+    static const unsigned char advances[] = {
+        32, 40, 46, 84, 64, 95, 78, 27, 39,  39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64,
+        64, 64, 34, 34, 84, 84, 84, 53, 100, 68, 69, 70, 77, 63, 58, 77, 75, 29, 29, 66, 56, 86, 75, 79,
+        60, 79, 69, 63, 61, 73, 68, 99, 69,  61, 69, 39, 34, 39, 84, 50, 50, 61, 63, 55, 63, 62, 35, 63,
+        63, 28, 28, 58, 28, 97, 63, 61, 63,  63, 41, 52, 39, 63, 59, 82, 59, 59, 52, 64, 34, 64, 84};
+    enum { RAISED = 40, TIMES = 84, OTHER = 66 };
+    int sum = 0;
+    while (*text) {
+        const uint32_t c = glyph_next(&text);
+        if (c >= ' ' && c <= '~')
+            sum += advances[c - ' '];
+        else
+            sum += (c >= 0x2070 && c <= 0x2079) || c == 0xb9 || c == 0xb2 || c == 0xb3 ? RAISED
+                   : c == 0xd7 || c == 0x2212                                          ? TIMES
+                                                                                       : OTHER;
+    }
+    return sum / 100.0;
+}
+
 /* Draws the words or, without paper, measures them: from (x, y) on, an index smaller and lower. */
 static double set_words(Paper *paper, double x, double y, const char *words, const Type *type)
 {
@@ -49,27 +73,7 @@ static double set_words(Paper *paper, double x, double y, const char *words, con
         if (paper && length > 0)
             paper->kind->text(paper, x + (type->upwards ? down : along), y + (type->upwards ? -along : down),
                               piece, &part);
-        /* Nobody knows with which font an SVG will be shown: DejaVu Sans is among the wide ones, so what is
-         * laid out for it does not collide, and a page is laid out in the same way in every kind of file.
-         * Hundredths of the size, from the space to the tilde. */
-        const char *text = piece;
-        static const unsigned char advances[] = {
-            32, 40, 46, 84, 64, 95, 78, 27, 39,  39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64,
-            64, 64, 34, 34, 84, 84, 84, 53, 100, 68, 69, 70, 77, 63, 58, 77, 75, 29, 29, 66, 56, 86, 75, 79,
-            60, 79, 69, 63, 61, 73, 68, 99, 69,  61, 69, 39, 34, 39, 84, 50, 50, 61, 63, 55, 63, 62, 35, 63,
-            63, 28, 28, 58, 28, 97, 63, 61, 63,  63, 41, 52, 39, 63, 59, 82, 59, 59, 52, 64, 34, 64, 84};
-        enum { RAISED = 40, TIMES = 84, OTHER = 66 };
-        int sum = 0;
-        for (const char *end = text + length; text < end;) {
-            const uint32_t c = glyph_next(&text);
-            if (c >= ' ' && c <= '~')
-                sum += advances[c - ' '];
-            else
-                sum += (c >= 0x2070 && c <= 0x2079) || c == 0xb9 || c == 0xb2 || c == 0xb3 ? RAISED
-                       : c == 0xd7 || c == 0x2212                                          ? TIMES
-                                                                                           : OTHER;
-        }
-        along += sum / 100.0 * part.size * (part.bold ? 1.1 : 1);
+        along += advance_of(piece) * part.size * (part.bold ? 1.1 : 1);
         words += length;
     }
     return along;

@@ -111,6 +111,9 @@ void map_row_corners(double ends[2][2], double corners[5][2]);
 /* Which way is out at an edge of a plate: to the right, upwards. */
 void map_row_side(int edge, signed char side[2]);
 
+/* Earlier runs, of those that are kept, in which the body cracked: how many. */
+int map_cracks_before(const Map *, ShownRun[RUNS_MAX]);
+
 /* The parts of the picture, in the order in which they are drawn. */
 void map_add_bonds(Map *);
 void map_add_box(Map *);        /* of bodies: cells of the grid, walls, gravity */

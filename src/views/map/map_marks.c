@@ -28,8 +28,7 @@ static void draw_zone(Map *map, double left, double right, double edge, double i
     map_body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
 }
 
-/* Earlier runs, of those that are kept, in which the body cracked: how many. */
-static int cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
+int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
 {
     const int n_runs = runs_of(map->screen, runs);
     int count = 0;
@@ -81,7 +80,7 @@ static void draw_notch(Map *map)
 static void name_cracks_before(Map *map)
 {
     ShownRun before[RUNS_MAX];
-    const int n_before = cracks_before(map, before);
+    const int n_before = map_cracks_before(map, before);
     for (int i = 0; i < n_before; i++) {
         PictureKey key = runs_key(&before[i]);
         char name[sizeof before[i].word + 16];
@@ -105,7 +104,7 @@ void map_add_lines(Map *map)
                           &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
     }
     ShownRun before[RUNS_MAX];
-    for (int i = cracks_before(map, before) - 1; i >= 0; i--) {
+    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--) {
         /* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
         enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
         const Stroke pen = {
