@@ -138,10 +138,9 @@ static bool fill_total(const Standing *run, char *label, char *value)
 }
 
 /* A part of the kinetic energy that the grid's own does not hold, as a mean over a tenth of the run, or over
- * what there is of it: `word` says which, and `part` takes it from a row's energies. */
-typedef double HiddenPart(double kinetic, double grid, double null);
-
-static bool fill_part(const Standing *run, const char *word, HiddenPart *part, char *label, char *value)
+ * what there is of it: the motion that no nodal velocities represent, or what the nodes would have more of,
+ * were their mass not lumped. */
+static bool fill_part(const Standing *run, bool lumping, char *label, char *value)
 {
     const int kinetic = experiment_column(run->experiment, "kinetic"),
               grid = experiment_column(run->experiment, "kinetic_grid");
@@ -149,6 +148,7 @@ static bool fill_part(const Standing *run, const char *word, HiddenPart *part, c
     const Record *record = experiment_record(run->experiment);
     const double to = experiment_time(run->experiment),
                  span = settings_time(experiment_settings(run->experiment))->end / 10;
+    const char *word = lumping ? "lumping" : "null";
     double all = 0, hidden = 0;
     if (to > span)
         snprintf(label, COMPARISON_TEXT_MAX, "%s, last t %.8s", word, text_rounded(span, 3).text);
@@ -160,32 +160,20 @@ static bool fill_part(const Standing *run, const char *word, HiddenPart *part, c
          i++) {
         const double *row = record_row(record, i);
         all += row[kinetic];
-        hidden += part(row[kinetic], row[grid], record_known(record, i, null));
+        hidden += lumping ? row[kinetic] - row[grid] - record_known(record, i, null)
+                          : record_known(record, i, null);
     }
     return all > 0 && put(value, "%.2f %%", 100 * hidden / all);
 }
 
-/* Motion that no nodal velocities represent. */
-static double in_null_space(double kinetic, double grid, double null)
-{
-    (void)kinetic, (void)grid;
-    return null;
-}
-
-/* What the nodes would have more of, were their mass not lumped. */
-static double by_lumping(double kinetic, double grid, double null)
-{
-    return kinetic - grid - null;
-}
-
 static bool fill_null(const Standing *run, char *label, char *value)
 {
-    return fill_part(run, "null", in_null_space, label, value);
+    return fill_part(run, false, label, value);
 }
 
 static bool fill_lumping(const Standing *run, char *label, char *value)
 {
-    return fill_part(run, "lumping", by_lumping, label, value);
+    return fill_part(run, true, label, value);
 }
 
 /* --- what happened --------------------------------------------------------------------------------- */

@@ -132,8 +132,7 @@ static bool roster_read(const char *file, Students *students, Status *status)
     return sound && got != INPUT_WRONG;
 }
 
-#define SECONDS      300.0 /* that a session may take to be done again */
-#define SECONDS_MOST 1e6
+#define SECONDS 300.0 /* that a session may take to be done again */
 
 enum { NAME_SHOWN_MAX = 1024 };
 
@@ -292,13 +291,6 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
     return sound;
 }
 
-static bool read_limit(const char *text, double *seconds, Status *status)
-{
-    *seconds = SECONDS;
-    return !text || (text_to_double(text, seconds) && *seconds >= 1 && *seconds <= SECONDS_MOST) ||
-           status_refuse(status, "--limit: not a number from 1 to %g: %.60s", SECONDS_MOST, text);
-}
-
 static void begin_table(const Options *options, FILE *stream)
 {
     if (options->bom)
@@ -352,8 +344,7 @@ int cli_grade(Options *options, Status *status)
     if (options->key)
         return cli_grade_key(options, status);
     if ((options->name && !status_refuse(status, "--name: goes with --key")) ||
-        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
-        !read_limit(options->limit, &marking.task.seconds, status) || !may_write(options, status) ||
+        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) || !may_write(options, status) ||
         !lesson_load(options->words[0], command_line_for_lessons, &marking.lesson, status))
         return (int)status->code;
     if (options->roster && !roster_read(options->roster, &marking.students, status)) {
@@ -365,6 +356,7 @@ int cli_grade(Options *options, Status *status)
     marking.sessions = options->n_words - 1;
     progress_begin(&marking.progress, options->quiet);
     marking.task.lesson = options->words[0];
+    marking.task.seconds = options->limit > 0 ? options->limit : SECONDS;
     marking.task.threads = progress_threads(options->threads);
     marking.task.cancel = (Cancel){go_on, &marking};
     bool sound = write_all(&marking, options, status);
@@ -412,8 +404,9 @@ static bool is_for_key(const Options *options, Status *status)
     const struct {
         bool given;
         const char *name;
-    } others[] = {{options->limit, "--limit"},   {options->output, "--output"}, {options->moodle, "--moodle"},
-                  {options->roster, "--roster"}, {options->sheet, "--sheet"},   {options->bom, "--bom"}};
+    } others[] = {{options->limit > 0, "--limit"}, {options->output, "--output"},
+                  {options->moodle, "--moodle"},   {options->roster, "--roster"},
+                  {options->sheet, "--sheet"},     {options->bom, "--bom"}};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (others[i].given)
             return status_refuse(status, "%s: does not go with --key", others[i].name);

@@ -52,25 +52,13 @@ static Source source_of(const char *word, Status *status)
                                               : SOURCE_SCENARIO;
 }
 
-/* A positive number of an option; where it is not given, what is there already. */
-static bool read_number(const char *option, const char *text, double least, double most, double *value,
-                        Status *status)
-{
-    return !text || (text_to_double(text, value) && *value >= least && *value <= most) ||
-           status_refuse(status, "%s: not a number from %g to %g: %.60s", option, least, most, text);
-}
-
 static bool set_up(Camera *camera, const Options *options, Status *status)
 {
-    camera->fps = camera->format->fps;
-    camera->speed = 1;
-    camera->idle = camera->to = INFINITY;
-    if (!read_number("--fps", options->fps, 0.1, 100, &camera->fps, status) ||
-        !read_number("--speed", options->speed, 1e-3, 1e6, &camera->speed, status) ||
-        !read_number("--idle", options->idle, 0, 1e6, &camera->idle, status) ||
-        !read_number("--from", options->from, 0, 1e300, &camera->from, status) ||
-        !read_number("--to", options->to, 0, 1e300, &camera->to, status))
-        return false;
+    camera->fps = options->fps > 0 ? options->fps : camera->format->fps;
+    camera->speed = options->speed;
+    camera->idle = options->idle;
+    camera->from = options->from;
+    camera->to = options->to;
     return camera->from <= camera->to ||
            status_refuse(status, "--from: %g comes after --to: %g", camera->from, camera->to);
 }

@@ -17,6 +17,7 @@
 #include "lessons/lesson.h"
 #include "help/command.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -99,17 +100,23 @@ const Option options_table[] = {
     {"--bom", NULL, " grade ", "begins tables with the mark by which spreadsheets know UTF-8", OPTION_FLAG,
      AT(bom)},
     {"--sheet", "FILE", " grade ", "a page for each session: FILE.pdf", OPTION_TEXT, AT(sheet)},
-    {"--limit", "S", " grade ", "a session that takes longer than S seconds gets no marks (300)", OPTION_TEXT,
-     AT(limit)},
+    {"--limit", "S", " grade ", "a session that takes longer than S seconds gets no marks (300)",
+     OPTION_NUMBER, AT(limit), .range = {1, 1e6}},
     {"--output", "FILE", " sound ", "the sound: FILE.wav", OPTION_TEXT, AT(output), LETTER('o')},
-    {"--seconds", "S", " sound ", "how long it is to be heard (6)", OPTION_TEXT, AT(seconds)},
+    {"--seconds", "S", " sound ", "how long it is to be heard (6)", OPTION_NUMBER, AT(seconds),
+     .range = {0.1, 600}},
     {"--pitch", "HZ", " sound ", "pitch of the exact tone (its own where it can be heard, else 440)",
-     OPTION_TEXT, AT(pitch)},
-    {"--fps", "N", " movie ", "pictures in a second, at most (30 for .cast, else 10)", OPTION_TEXT, AT(fps)},
-    {"--speed", "X", " movie ", "so many times as fast as the laboratory (1)", OPTION_TEXT, AT(speed)},
-    {"--from", "T", " movie ", "filmed from time T of the run on (0)", OPTION_TEXT, AT(from)},
-    {"--to", "T", " movie ", "filmed up to time T of the run (its end)", OPTION_TEXT, AT(to)},
-    {"--idle", "S", " movie ", "nothing stands still for longer than S seconds", OPTION_TEXT, AT(idle)},
+     OPTION_NUMBER, AT(pitch), .range = {20, 10000}},
+    {"--fps", "N", " movie ", "pictures in a second, at most (30 for .cast, else 10)", OPTION_NUMBER, AT(fps),
+     .range = {0.1, 100}},
+    {"--speed", "X", " movie ", "so many times as fast as the laboratory (1)", OPTION_NUMBER, AT(speed),
+     .range = {1e-3, 1e6}},
+    {"--from", "T", " movie ", "filmed from time T of the run on (0)", OPTION_NUMBER, AT(from),
+     .range = {0, 1e300}},
+    {"--to", "T", " movie ", "filmed up to time T of the run (its end)", OPTION_NUMBER, AT(to),
+     .range = {0, 1e300}},
+    {"--idle", "S", " movie ", "nothing stands still for longer than S seconds", OPTION_NUMBER, AT(idle),
+     .range = {0, 1e6}},
     {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
      .key = "output.every"},
     {"--columns", "NAME,...", " run ",
@@ -267,6 +274,11 @@ static bool take(const Option *option, const char *value, Options *options, Stat
         return (option->most == 0 || *(long *)member <= option->most) ||
                status_refuse(status, "%s: %ld are too many (1 to %d)", option->name, *(long *)member,
                              option->most);
+    case OPTION_NUMBER:
+        return (text_to_double(value, member) && *(double *)member >= option->range[0] &&
+                *(double *)member <= option->range[1]) ||
+               status_refuse(status, "%s: not a number from %g to %g: %.60s", option->name, option->range[0],
+                             option->range[1], value);
     case OPTION_BYTES:
         if (!read_bytes(value, member))
             return status_refuse(status, "%s: %.60s is no size (such as 64M or 2G)", option->name, value);
@@ -391,7 +403,12 @@ bool options_asks_help(const char *argument)
 
 bool options_parse(const char *command, int count, char **arguments, Options *options, Status *status)
 {
-    *options = (Options){.arguments = arguments, .n_arguments = count};
+    *options = (Options){.arguments = arguments,
+                         .n_arguments = count,
+                         .seconds = 6,
+                         .speed = 1,
+                         .idle = INFINITY,
+                         .to = INFINITY};
     bool only_words = false;
     for (int at = 0; at < count; at++) {
         const char *argument = arguments[at];

@@ -16,6 +16,7 @@ typedef enum OptionKind {
     OPTION_TEXT,     /* const char * */
     OPTION_INPUT,    /* the same: a file that is read */
     OPTION_COUNT,    /* long, 1 or more */
+    OPTION_NUMBER,   /* double, in a range */
     OPTION_BYTES,    /* size_t: 4096, 64k, 256M, 2G */
     OPTION_SIZE,     /* int[2]: 80x24 */
     OPTION_WORD,     /* const char *, one of some words */
@@ -34,6 +35,7 @@ typedef struct Option {
     const char *const *words; /* OPTION_WORD; ended by NULL */
     const char *key;          /* OPTION_OVERRIDE: the key; NULL: the argument names it */
     int most;                 /* OPTION_SIZE: of each number */
+    double range[2];          /* OPTION_NUMBER: both ends are allowed */
     const char *clears;       /* OPTION_OVERRIDE: a key that it resets, since both mean the same */
     char letter;              /* its short form, 'o' of -o; 0: it has none */
 } Option;
@@ -58,7 +60,7 @@ typedef struct OptionList {
     int count;
 } OptionList;
 
-/* What a command line came to; what was not given is 0. */
+/* What a command line came to; what was not given is 0, or what is usual. */
 typedef struct Options {
     const char *words[WORDS_MAX]; /* arguments that are no options */
     int n_words;
@@ -86,10 +88,11 @@ typedef struct Options {
     bool pairs;                                  /* likewise */
     const char *time_bound, *template;           /* likewise */
     bool json;
-    const char *seconds, *pitch;                /* of a sound */
-    const char *fps, *speed, *idle, *from, *to; /* of a film */
+    double seconds, pitch;             /* of a sound */
+    double fps, speed, idle, from, to; /* of a film */
+    double limit;                      /* of a session, s */
 
-    const char *name, *id, *handout, *moodle, *roster, *sheet, *limit; /* of homework */
+    const char *name, *id, *handout, *moodle, *roster, *sheet; /* of homework */
     bool key, print, bom;
 
     bool paused, no_mouse, last, fast, plain;

@@ -54,9 +54,7 @@ static void put_sample(FILE *file, double frequency, double time, double seconds
     put_number(file, (uint32_t)(value & 0xffff), 2);
 }
 
-#define SECONDS      6.0
-#define SECONDS_MOST 600.0
-#define PITCH        440.0 /* of what cannot be heard as it is, Hz */
+#define PITCH 440.0 /* of what cannot be heard as it is, Hz */
 
 /* What is heard well by small loudspeakers and by most ears, Hz. */
 #define HEARD_LEAST 80.0
@@ -68,13 +66,6 @@ typedef struct Tones {
     double times;           /* heard so many times as high */
     bool in_hertz;
 } Tones;
-
-static bool read_seconds(const char *text, double *seconds, Status *status)
-{
-    *seconds = SECONDS;
-    return !text || (text_to_double(text, seconds) && *seconds >= 0.1 && *seconds <= SECONDS_MOST) ||
-           status_refuse(status, "--seconds: not a number from 0.1 to %g: %.60s", SECONDS_MOST, text);
-}
 
 static double frequency(const Readout *readout, double number)
 {
@@ -105,8 +96,9 @@ static bool tune(const Readout *readout, double pitch, Tones *tones, Status *sta
            status_refuse(status, "the measured tone would be too high to be heard (a lower --pitch)");
 }
 
-static bool write_tones(const Options *options, const Tones *tones, double seconds, Status *status)
+static bool write_tones(const Options *options, const Tones *tones, Status *status)
 {
+    const double seconds = options->seconds;
     OutputFile file;
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
@@ -125,11 +117,7 @@ static bool write_tones(const Options *options, const Tones *tones, double secon
 int cli_sound(Options *options, Status *status)
 {
     Settings settings;
-    double seconds, pitch = 0;
-    if (!options_load(options, options->words[0], &settings, status) ||
-        !read_seconds(options->seconds, &seconds, status) ||
-        !(!options->pitch || (text_to_double(options->pitch, &pitch) && pitch >= 20 && pitch <= 10000) ||
-          status_refuse(status, "--pitch: not a number from 20 to 10000: %.60s", options->pitch)))
+    if (!options_load(options, options->words[0], &settings, status))
         return (int)status->code;
     if (!options->output)
         return progress_result(status_refuse(status, "sound: --output FILE is missing (FILE.wav)"), status);
@@ -147,8 +135,8 @@ int cli_sound(Options *options, Status *status)
         return progress_result(false, status);
     if (!sound)
         options_blame(options, options->words[0], status);
-    sound = sound && tune(&summary.readout, pitch, &tones, status) &&
-            write_tones(options, &tones, seconds, status);
+    sound = sound && tune(&summary.readout, options->pitch, &tones, status) &&
+            write_tones(options, &tones, status);
     if (sound && !options->quiet) {
         const double cents = 1200 * math_log2(tones.measured / tones.exact);
         const char *unit = tones.in_hertz ? " Hz" : " per unit of time";

@@ -40,22 +40,18 @@ static bool keep(Reader *reader, char **where, const char *text)
     return *where || no_memory(reader->status);
 }
 
+/* A word whose line is read by one expression. */
+#define READS(name, value)                                                                                   \
+    static bool name(Reader *reader, const char *text)                                                       \
+    {                                                                                                        \
+        return value;                                                                                        \
+    }
+
 /* --- lines ------------------------------------------------------------------------------------------ */
 
-static bool read_title(Reader *reader, const char *text)
-{
-    return keep(reader, &reader->lesson->title, text);
-}
-
-static bool read_about(Reader *reader, const char *text)
-{
-    return keep(reader, &reader->lesson->about, text);
-}
-
-static bool read_group(Reader *reader, const char *text)
-{
-    return keep(reader, &reader->lesson->group, text);
-}
+READS(read_title, keep(reader, &reader->lesson->title, text))
+READS(read_about, keep(reader, &reader->lesson->about, text))
+READS(read_group, keep(reader, &reader->lesson->group, text))
 
 /* What must and must not stand on one page. */
 static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
@@ -170,10 +166,7 @@ static bool read_do(Reader *reader, const char *text)
     return add_action(reader, reader->part, "@do", text);
 }
 
-static bool read_solve(Reader *reader, const char *text)
-{
-    return add_action(reader, &reader->page->solution, "@solve", text);
-}
+READS(read_solve, add_action(reader, &reader->page->solution, "@solve", text))
 
 /* Until it is known who reads, the parameter stays as it is. */
 static bool read_variant(Reader *reader, const char *text)
@@ -214,15 +207,8 @@ static bool has_asked(const Reader *reader)
            status_refuse(reader->status, "an answer comes after its question (@ask)");
 }
 
-static bool read_answer(Reader *reader, const char *text)
-{
-    return has_asked(reader) && new_exercise(reader, exercise_read_answer, "answer", text);
-}
-
-static bool read_words(Reader *reader, const char *text)
-{
-    return has_asked(reader) && new_exercise(reader, NULL, "words", text);
-}
+READS(read_answer, has_asked(reader) && new_exercise(reader, exercise_read_answer, "answer", text))
+READS(read_words, has_asked(reader) && new_exercise(reader, NULL, "words", text))
 
 static bool read_goal(Reader *reader, const char *text)
 {
