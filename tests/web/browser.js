@@ -1008,8 +1008,8 @@ async function unharmed() {
 async function hostile_links() {
 	const harmless = async (link) => {
 		await open(one + link);
-		await until(has('Space pause'));
-		result(`a link with ${link.slice(0, 40)} does no harm`, (await unharmed()) && has('Space pause')(await screen()), await screen());
+		const {time, text} = await until((text) => /Space (pause|again)/.test(text)); // a run may be over by then
+		result(`a link with ${link.slice(0, 40)} does no harm`, (await unharmed()) && time < Infinity, text);
 	};
 	for (const link of ['?scenario=' + encodeURIComponent(bad), '?lesson=' + encodeURIComponent('../../etc/passwd'),
 		'?scenario=mode5&set=' + encodeURIComponent('bar.length=1\x1b[2J') + '&set=--record', '?plain=' + encodeURIComponent(bad) + '&set=' + encodeURIComponent(bad) + '#' + bad]) await harmless(link);
@@ -1027,8 +1027,6 @@ async function hostile_links() {
 		result(`the name ${JSON.stringify(name.slice(0, 20))} does no harm`, found && !found.ended && /1 of \d+|1\/\d+/.test(text), text + found.said);
 	}
 	for (const link of ['?scenario=mode5&set=' + 'x'.repeat(900000), '?scenario=mode5' + '&set=mesh.cell_size=0.5'.repeat(20000)]) await harmless(link);
-	await browser.close().catch(() => {}); // Firefox under remote control falls over its own history of such addresses
-	browser = context = page = null;
 }
 
 async function hostile_files() {
@@ -1243,6 +1241,10 @@ async function try_cases(name) {
 		if (wanted) {
 			const begin = Date.now();
 			await cases[wanted]().catch((error) => result(wanted, false, error.stack));
+			if (wanted === 'hostile_links') { // Firefox under remote control falls over its own history of such addresses
+				await browser.close().catch(() => {});
+				browser = context = null;
+			}
 			if (process.env.MATVIB_TIMES) note(`${wanted}: ${((Date.now() - begin) / 1000).toFixed(1)} s`);
 			if (context) await context.close().catch(() => {});
 			context = page = null;
