@@ -196,7 +196,33 @@ result "of what a bar has not" sh -c '! grep -q shapes:slopes out'
 expect "a view that is not there" 2 mode1 --view beam --output x.svg
 result "in one line with all names" says err '^matvib: beam: no such view here (profile:u|v|stress'
 expect "a kind that is none" 2 mode1 --view probe --output x.gif
-result "says what is one" says err '^matvib: x.gif: not a figure file (FILE.svg, FILE.pdf or FILE.png)$'
+result "says what is one" says err '^matvib: x.gif: not a figure file (FILE.svg, .pdf, .png, .tex or .gp)$'
+
+# --- the source of other programs ---
+# how many points a file's first curve has, and the last of them
+points() { awk '/coordinates \{|<< END/ { n = 0; on = 1; next } on && /^\};|^END/ { print n, last; exit } on { n++; last = $0 }' "$1"; }
+expect "curves for LaTeX" 0 mode5 --end 1 --view probe --output curves.tex
+expect "curves for gnuplot" 0 mode5 --end 1 --view probe --output curves.gp
+result "have the same points" sh -c "test '$(points curves.tex | tr -d '()' | tr , ' ')' = '$(points curves.gp)'"
+"$MATVIB" run mode5 --end 1 --series curve.csv --quiet
+result "which are those of the run" sh -c "test \"$(points curves.gp | awk '{ printf "%.6g %.6g", $2, $3 }')\" = \
+    \"$(awk -F, '!/^#/ && !/^t/ { t = $2; v = $3 } END { printf "%.6g %.6g", t, 1000 * v }' curve.csv)\""
+result "a legend" sh -c 'grep -q "^.addlegendentry{predicted}$" curves.tex && grep -q "title .predicted. with lines" curves.gp'
+result "and braces in pairs" awk '{ n += gsub(/{/, "{") - gsub(/}/, "}") } END { exit n != 0 }' curves.tex
+expect "bands, two times and letters" 0 two-discs --end 0.5 --at 0.1,0.5 --view energies --output bands.gp
+expect "an axis by roots" 0 mode5 --end 30 --view dispersion --output roots.gp
+if command -v gnuplot >/dev/null 2>&1; then
+	for script in curves bands roots; do
+		result "gnuplot draws $script.gp without a word" sh -c \
+			"(echo 'set terminal svg; set output \"$script.svg\"'; cat $script.gp) | gnuplot >log 2>&1 && test ! -s log && test -s $script.svg"
+	done
+else
+	skip "gnuplot draws curves, bands and roots" "no gnuplot here"
+fi
+expect "no curves" 2 two-discs --end 0.1 --view beam:mises --output map.tex
+result "says so" says err "^matvib: von Mises' stress: has no curves for LaTeX or gnuplot (FILE.svg, .pdf or .png)$"
+result "and no file" test ! -e map.tex
+
 cp a.svg c.svg
 expect "an existing file is refused" 2 mode1 --view probe --output a.svg
 result "and left alone" cmp -s a.svg c.svg

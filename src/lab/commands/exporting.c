@@ -243,7 +243,7 @@ static void ask_name(Laboratory *lab)
     lab->prompting.typing = &typing;
     Prompt *prompt = &lab->prompting.shown;
     snprintf(prompt->hint, sizeof prompt->hint,
-             "writes NAME-series.csv and its tables%s; NAME.svg, .pdf or .png: a figure of the view",
+             "writes NAME-series.csv and its tables%s; NAME.svg, .pdf, .png, .tex or .gp: a figure of the view",
              lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
     const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
     if (every > 1)
@@ -303,7 +303,7 @@ bool exporting_ask(Laboratory *lab, const char *name)
     return true;
 }
 
-/* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf or .png;
+/* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf, .png, .tex or .gp;
  * without its word the focused one. */
 
 static bool write_figure(Laboratory *lab, bool force)
@@ -357,7 +357,7 @@ bool exporting_figure(Laboratory *lab, const char *words)
     const char *file = words;
     const View *view = take_view(screen, &file);
     if (!*file)
-        return prompt_refuse(lab, "a file is wanted: FILE.svg, FILE.pdf or FILE.png");
+        return prompt_refuse(lab, "a file is wanted: FILE.svg, .pdf, .png, .tex or .gp");
     if (!figure_allowed(file, &status))
         return prompt_refuse(lab, "%s", status.text);
     if (!exporting_name_fits(lab, file))

@@ -154,8 +154,8 @@ static void draw_axes(const Frame *frame, double left)
 
 /* --- strokes --------------------------------------------------------------------------------------- */
 
-/* A ghost's letter is known by the legend; the ghosts among the strokes come in the same order. */
-static char letter_of(const Picture *picture, int stroke)
+/* It is known by the legend: the ghosts among the strokes come in the same order. */
+char draw_letter_of(const Picture *picture, int stroke)
 {
     int earlier = 0;
     for (int i = 0; i < stroke; i++)
@@ -170,7 +170,7 @@ static char letter_of(const Picture *picture, int stroke)
 static Pencil pencil_of(const Frame *frame, int index)
 {
     const Stroke *stroke = &frame->picture->plot.strokes[index];
-    return ink_pencil(stroke->style, stroke->line, letter_of(frame->picture, index));
+    return ink_pencil(stroke->style, stroke->line, draw_letter_of(frame->picture, index));
 }
 
 static void draw_stroke(const Frame *frame, int index, bool noise, double *places)

@@ -195,11 +195,11 @@ enum { NAME_MAX_BYTES = 48 };
 
 /* --- kinds of files -------------------------------------------------------------------------------- */
 
-typedef enum Format { FORMAT_SVG, FORMAT_PDF, FORMAT_PNG, FORMAT_NONE } Format;
+typedef enum Format { FORMAT_SVG, FORMAT_TEX, FORMAT_GP, FORMAT_PDF, FORMAT_PNG, FORMAT_NONE } Format;
 
 static Format format_of(const char *file)
 {
-    static const char *const endings[] = {".svg", ".pdf", ".png"};
+    static const char *const endings[] = {".svg", ".tex", ".gp", ".pdf", ".png"};
     const char *dot = strrchr(file, '.');
     for (int i = 0; dot && i < FORMAT_NONE; i++)
         if (strcasecmp(dot, endings[i]) == 0)
@@ -216,8 +216,8 @@ bool figure_allowed(const char *file, Status *status)
 {
     const Format format = format_of(file);
     if (format == FORMAT_NONE)
-        return status_refuse(status, "%.200s: not a figure file (FILE.svg, FILE.pdf or FILE.png)", file);
-    return format == FORMAT_SVG || cairo_load(status);
+        return status_refuse(status, "%.200s: not a figure file (FILE.svg, .pdf, .png, .tex or .gp)", file);
+    return format < FORMAT_PDF || cairo_load(status);
 }
 
 /* --- views by name --------------------------------------------------------------------------------- */
@@ -434,6 +434,10 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
     const double width = figure->width * MILLIMETRES,
                  height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
     const Format format = format_of(name);
+    if (format == FORMAT_TEX || format == FORMAT_GP)
+        return output_end(
+            &file, figure_write_source(figure, format == FORMAT_TEX, columns_of(figure), file.stream, status),
+            status);
     Paper *paper = format == FORMAT_SVG   ? paper_svg(file.stream, width, height, figure->title, status)
                    : format == FORMAT_PDF ? paper_pdf(file.stream, width, height, figure->title, status)
                                           : paper_png(file.stream, width, height, status);

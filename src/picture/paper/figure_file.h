@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures for paper: what views show, taken down as picturees (picture/picture.h) and drawn with lines and
- * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG.
+ * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG;
+ * or, of curves, written as the source of a picture of pgfplots (LaTeX) or of gnuplot.
  *
  * Colours are told apart by all kinds of colour vision, and lines by their dashes, so that a copy in black
  * and white says the same. The same figure gives the same bytes. */
@@ -27,10 +28,10 @@ typedef struct Figure {
     int count;
 } Figure;
 
-/* Whether a name ends in .svg, .pdf or .png. */
+/* Whether a name ends in .svg, .pdf, .png, .tex or .gp. */
 bool figure_is_name(const char *file);
 
-/* Whether a file of that name can be written, by its ending .svg, .pdf or .png. Nothing is touched. */
+/* Whether a file of that name can be written, by its ending. Nothing is touched. */
 bool figure_allowed(const char *file, Status *);
 
 /* The view that a name stands for on this screen: "profile:stress" chooses a variant, "profile" has the one
@@ -53,5 +54,9 @@ double figure_enlargement(const Figure *, bool *differ);
 
 /* Draws the page, whole or not at all. Maps of one field share the range of their colours. */
 bool figure_write(Figure *, Asker, const char *file, bool force, Status *);
+
+/* plot_source.c: the panels in so many columns as a file to \input in LaTeX (`tex`), or a script of gnuplot.
+ * False: one of them has no curves; nothing is written. */
+bool figure_write_source(const Figure *, bool tex, int columns, FILE *, Status *);
 
 #endif

@@ -77,6 +77,9 @@ bool ink_is_ghost(Style);
 /* The line of a stroke or of a legend's entry. Earlier runs have dashes of their own, by their letter. */
 Pencil ink_pencil(Style, LineStyle, char letter);
 
+/* draw_plot.c: the letter of the earlier run that a stroke is of; 0: of none. */
+char draw_letter_of(const Picture *, int stroke);
+
 Colour ink_pale(Colour); /* halfway to white */
 
 /* A band: the denser it is filled on screen, the darker. */
