@@ -215,7 +215,8 @@ int cli_figure(Options *options, Status *status)
         if (!options->view)
             sound = status_refuse(status, "figure: --view NAME is missing (--list prints the names)");
         else if (!options->output)
-            sound = status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf, .png, .tex or .gp)");
+            sound =
+                status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf, .png, .tex or .gp)");
         sound = sound && figure_allowed(options->output, status) &&
                 output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status) &&
                 all_others(&options->against, &settings, others, status);

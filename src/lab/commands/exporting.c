@@ -242,9 +242,10 @@ static void ask_name(Laboratory *lab)
                megabytes);
     lab->prompting.typing = &typing;
     Prompt *prompt = &lab->prompting.shown;
-    snprintf(prompt->hint, sizeof prompt->hint,
-             "writes NAME-series.csv and its tables%s; NAME.svg, .pdf, .png, .tex or .gp: a figure of the view",
-             lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
+    snprintf(
+        prompt->hint, sizeof prompt->hint,
+        "writes NAME-series.csv and its tables%s; NAME.svg, .pdf, .png, .tex or .gp: a figure of the view",
+        lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
     const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
     if (every > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
@@ -303,8 +304,8 @@ bool exporting_ask(Laboratory *lab, const char *name)
     return true;
 }
 
-/* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf, .png, .tex or .gp;
- * without its word the focused one. */
+/* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf, .png, .tex or
+ * .gp; without its word the focused one. */
 
 static bool write_figure(Laboratory *lab, bool force)
 {
