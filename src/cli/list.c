@@ -84,8 +84,8 @@ static void print_choice(const Settings *settings, const Parameter *parameter, i
     Status why = {STATUS_DONE, ""};
     const char *word = parameter->choices[choice], *sentence = parameter->choice_help(choice), *mark = NULL;
     const int methods = (int)parameter_methods(parameter, settings->problem);
-    if (methods != BY_EVERY_METHOD)
-        other.method = methods == BY_MPM ? METHOD_MPM : METHOD_PD;
+    while (methods != BY_EVERY_METHOD && !(methods >> other.method & 1))
+        other.method = (MethodKind)(other.method + 1) % METHODS;
     if (settings_set(&other, parameter->key, word, &why) && !settings_check(&other, &why))
         mark = strstr(why.text, defined);
     printf("      %-22s %s", word, sentence);

@@ -506,8 +506,10 @@ bool options_load(const Options *options, const char *scenario, Settings *settin
         return false;
     if (!load_run(options, scenario, settings, status))
         return false;
-    /* which views there are no scenario file knows */
-    if (view_check(settings, status))
+    /* which views there are no scenario file knows; those of a built-in one are there */
+    Settings own;
+    const bool known = scenario_builtin(scenario) && scenario_load(scenario, &own, status);
+    if (view_check(settings, known ? &own : NULL, status))
         return true;
     options_blame(options, scenario, status);
     return false;

@@ -14,7 +14,7 @@
 #include <string.h>
 
 /* Powers of ten by a table: pow(10, -3) is not 1e-3 everywhere, and pictures are compared exactly. */
-static double power_of_ten(int exponent)
+double axis_power_of_ten(int exponent)
 {
     double power = 1;
     for (int i = 0; i < (exponent < 0 ? -exponent : exponent); i++)
@@ -26,9 +26,9 @@ static int decade_of(double value)
 {
     int decade = (int)floor(math_log10(value));
     /* log10 of 1000 may be a hair below 3 */
-    while (power_of_ten(decade + 1) <= value * (1 + 1e-12))
+    while (axis_power_of_ten(decade + 1) <= value * (1 + 1e-12))
         decade++;
-    while (power_of_ten(decade) > value * (1 + 1e-12))
+    while (axis_power_of_ten(decade) > value * (1 + 1e-12))
         decade--;
     return decade;
 }
@@ -37,7 +37,7 @@ static double round_on(double value, const double *ladder, int rungs)
 {
     if (!(value > 1e-290) || !(value < 1e290))
         return 1;
-    double power = power_of_ten(decade_of(value));
+    double power = axis_power_of_ten(decade_of(value));
     for (int i = 0; i < rungs; i++)
         if (ladder[i] * power >= value * (1 - 1e-12))
             return ladder[i] * power;
@@ -61,7 +61,7 @@ double axis_step_down(double value)
     double up = axis_step_up(value);
     if (up <= value * (1 + 1e-12))
         return up;
-    double power = power_of_ten(decade_of(up));
+    double power = axis_power_of_ten(decade_of(up));
     double digit = up / power;
     return digit > 4 ? 2 * power : digit > 1.5 ? power : power / 2;
 }
@@ -176,7 +176,7 @@ Axis axis_make_log(double low, double high)
     const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < math_log10(high) - 1e-9);
     const int decades = last > first ? last - first : 1;
     return axis_with_ticks(
-        (Axis){.scale = SCALE_LOG, .low = power_of_ten(first), .high = power_of_ten(first + decades)},
+        (Axis){.scale = SCALE_LOG, .low = axis_power_of_ten(first), .high = axis_power_of_ten(first + decades)},
         TICKS_USUAL);
 }
 
@@ -224,7 +224,7 @@ int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
                 continue;
             for (int decade = decade_of(end) / 2 * 2 - 6; decade <= decade_of(end) + 2; decade += 2)
                 for (int i = 0; i < 4; i++) {
-                    const double value = ladder[i] * power_of_ten(decade), place = sqrt(value);
+                    const double value = ladder[i] * axis_power_of_ten(decade), place = sqrt(value);
                     if (value > end * (1 + 1e-9) || place - before < least)
                         continue;
                     before = place;
@@ -244,7 +244,7 @@ int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
         int count = 0;
         for (int decade = first; decade <= last && count < TICKS_MAX; decade++)
             if ((last - decade) % step == 0)
-                ticks[count++] = power_of_ten(decade);
+                ticks[count++] = axis_power_of_ten(decade);
         return count;
     }
     double slack = 1e-9 * (axis->high - axis->low);
@@ -270,8 +270,8 @@ void axis_label(const Axis *axis, double tick, char out[TICK_TEXT_MAX])
         snprintf(out, TICK_TEXT_MAX, "%g", tick);
         return;
     }
-    double value = tick / power_of_ten(axis->exponent);
-    if (fabs(value) < 0.5 * power_of_ten(-axis->decimals))
+    double value = tick / axis_power_of_ten(axis->exponent);
+    if (fabs(value) < 0.5 * axis_power_of_ten(-axis->decimals))
         value = 0; /* never "-0" */
     snprintf(out, TICK_TEXT_MAX, "%.*f", axis->decimals, value);
 }

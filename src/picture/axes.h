@@ -59,6 +59,8 @@ double axis_step_down(double value);
  * `room`. Taken from what the whole run reaches, so that it does not change while it goes on. */
 double axis_enlargement(double reach, double room);
 
+double axis_power_of_ten(int exponent);
+
 /* The values of the ticks; returns how many. */
 int axis_ticks(const Axis *, double ticks[TICKS_MAX]);
 

@@ -90,8 +90,9 @@ const char *view_profile_curve(const Screen *);
 const View *view_of_map(void);
 
 /* Whether the views with their variants and the number that a scenario names exist; false: the status says
- * which and what there is. */
-bool view_check(const Settings *, Status *);
+ * which and what there is. Variants that differ from those of `known` (NULL: none) are asked of a run that is
+ * made for it. */
+bool view_check(const Settings *, const Settings *known, Status *);
 
 /* --- one view on one screen -------------------------------------------------------------------------- */
 

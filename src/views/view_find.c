@@ -88,8 +88,7 @@ static bool check_variant(const Settings *settings, const View *view, const char
                           Status *status)
 {
     char known[600] = "";
-    Screen screen;
-    screen_default(&screen);
+    Screen screen = {0};
     Experiment *experiment = experiment_create(settings, 0, 1, status);
     if (!experiment)
         return false;
@@ -103,28 +102,29 @@ static bool check_variant(const Settings *settings, const View *view, const char
                                   known[0] ? " with one of " : " alone", known);
 }
 
-bool view_check(const Settings *settings, Status *status)
+bool view_check(const Settings *settings, const Settings *known, Status *status)
 {
     static const char *const keys[2] = {"view.upper", "view.lower"};
-    const ViewSettings *view = settings_view(settings);
+    const ViewSettings *view = settings_view(settings), *good = known ? settings_view(known) : NULL;
     const char *const names[2] = {view->upper, view->lower};
-    char known[320];
+    char all[320];
     for (int i = 0; i < 2; i++) {
         const View *named = view_of_name(names[i]);
         if (names[i][0] && !named) {
-            view_names(known, sizeof known);
-            return status_refuse(status, "%s: %.60s is not allowed (%s)", keys[i], names[i], known);
+            view_names(all, sizeof all);
+            return status_refuse(status, "%s: %.60s is not allowed (%s)", keys[i], names[i], all);
         }
-        if (strchr(names[i], ':') && !check_variant(settings, named, keys[i], names[i], status))
+        const bool is_known = good && strcmp(names[i], i ? good->lower : good->upper) == 0;
+        if (strchr(names[i], ':') && !is_known && !check_variant(settings, named, keys[i], names[i], status))
             return false;
     }
     const RunNumber *about = view->about[0] ? run_number_find(view->about) : NULL;
     if (view->about[0] && (!about || !about->label)) {
-        known[0] = '\0';
+        all[0] = '\0';
         for (const RunNumber *row = run_numbers; row->word; row++)
             if (row->label)
-                text_append(known, sizeof known, "%s%s", known[0] ? ", " : "", row->word);
-        return status_refuse(status, "screen.about: %.60s is not allowed (%s)", view->about, known);
+                text_append(all, sizeof all, "%s%s", all[0] ? ", " : "", row->word);
+        return status_refuse(status, "screen.about: %.60s is not allowed (%s)", view->about, all);
     }
     return true;
 }

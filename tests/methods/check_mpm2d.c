@@ -134,8 +134,9 @@ static double next_share(uint32_t *seed)
     return *seed / 4294967296.0;
 }
 
-/* Just below its limit a beam keeps the energy of its start, just above it explodes. The start is so small
- * that boxes stay where the prediction has them. */
+/* Just below its limit, at a share r = 0.995, a beam keeps the energy of its start but for the ripple of its
+ * fastest mode, which is within 1/(1 - r^2) = 100; just above it explodes. The start is so small that boxes
+ * stay where the prediction has them. */
 static void one_limit(uint32_t seed, int number)
 {
     PlaneDef def = small(number % 3 == 2);
@@ -162,7 +163,7 @@ static void one_limit(uint32_t seed, int number)
         const double start = series_now(sim, "total");
         const bool lasts = simulation_steps(sim, def.algorithm == MPM_USL ? 8000 : 1500, NULL, NULL, &status);
         const double grown = lasts ? series_now(sim, "total") / start : INFINITY;
-        ck_assert_msg(above ? grown > 100 : grown < 10,
+        ck_assert_msg(above ? grown > 1000 : grown < 100,
                       "set %d, %s the limit of %.5f (shape %d, algorithm %d, flip %g, P %d, nu %.3f, %s): "
                       "energy times %g",
                       number, above ? "above" : "below", limit, def.shape, def.algorithm, def.flip_fraction,

@@ -232,7 +232,7 @@ START_TEST(what_is_refused)
     expect_refused(bonds, "mesh.cell_size", "1e-3", "no parameter of method pd (only of mpm)");
     expect_refused(notched, "scenario.method", "mpm", "nothing breaks");
     expect_refused(beam, "mpm.transfer", "apic", "no parameter of problem simply-supported-beam");
-    expect_refused(beam, "mpm.shape", "bspline2", "is for bars");
+    expect_refused(beam, "mpm.shape", "bspline3", "is for bars");
     expect_refused(beam, "pd.spacing", "1e-3", "no parameter of method mpm (only of pd)");
     expect_refused(beam, "time.step", "1e-8", "no parameter of method mpm (only of pd)");
     expect_refused(beam, "mesh.cell_size", "1e-3", "must be an even number of cells");

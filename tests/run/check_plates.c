@@ -400,7 +400,7 @@ START_TEST(a_stage_tells_of_the_weight)
     unsigned char *before = snapshot_now(sim);
     ck_assert(sim->method->change(sim, "load.body_force", -9.81, NULL));
     ck_assert_str_eq(body_force_of(sim)->equation,
-                     "f(i) += ρ b on every node + (sx, sy) min(1, t/t0)/dx on loaded nodes");
+                     "f(i) += ρ b on every node + (sx, sy) min(1, t/t0)/Δx on loaded nodes");
     simulation_restore(sim, before);
     ck_assert(!strstr(body_force_of(sim)->equation, "ρ b"));
     free(before);

@@ -336,7 +336,7 @@ MPM_INLINE void mpm_weights(const Mpm *mpm, const int dim, const MpmShape shape,
                             const double *s, MpmWeights *w)
 {
     for (int axis = 0; axis < dim; axis++)
-        shape_at(shape, half, mpm->cells, base, s[axis], w->n[axis], w->dn[axis]);
+        shape_at(shape, half, mpm->cells, dim == 2 ? 2 : base, s[axis], w->n[axis], w->dn[axis]);
 }
 
 /* D/dx^2 of APIC along an axis in the plane, sum N (x_i - x)^2: of hats s (1 - s), of splines 1/4 everywhere.
@@ -488,7 +488,14 @@ void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */
 void mpm_write_row(Mpm *, double *row, bool whole);
-bool mpm_has_column(const Mpm *, int entry); /* whether the series has it */
+/* Whether the series has it. */
+static inline bool mpm_has_column(const Mpm *mpm, int entry)
+{
+    for (int k = 0; k < mpm->sim.n_series; k++)
+        if (mpm->series_entry[k] == entry)
+            return true;
+    return false;
+}
 bool mpm_row_needs_grid(const Mpm *);
 bool mpm_row_has_rates(const Mpm *); /* a column is a difference to the step before */
 void mpm_set_series(Mpm *);

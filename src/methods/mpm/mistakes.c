@@ -256,6 +256,33 @@ double mpm_moving_velocity(const Mpm *mpm, int axis, int particle, int node)
                                            : carry;
 }
 
+/* Eqs. 5 to 7: dt sym(sum v_i grad N_i), along a line dt sum N'_i v_i. */
+void mpm_strain_step(const Mpm *mpm, int p, double e[MPM_STRESSES])
+{
+    const MpmWeights w = mpm_weights_of(mpm, p);
+    const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN);
+    double v[SHAPE_SUPPORT_MAX];
+    e[0] = e[1] = e[2] = 0.0;
+    if (mpm->dim == 1)
+        mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, mpm->base[p], v);
+    for (int b = 0; b < (mpm->dim == 1 ? 1 : mpm->support); b++)
+        for (int a = 0; a < mpm->support; a++) {
+            if (mpm->dim == 1) {
+                e[0] += w.dn[0][a] * v[a];
+                continue;
+            }
+            const int i = mpm->base[p] + b * mpm->gx + a;
+            const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
+            const double x = mpm->bodies ? bodies_velocity_for(mpm, 0, i, p) : mpm->velocity[0][i];
+            const double y = mpm->bodies ? bodies_velocity_for(mpm, 1, i, p) : mpm->velocity[1][i];
+            e[0] += bx * x;
+            e[1] += by * y;
+            e[2] += by * x + bx * y;
+        }
+    for (int k = 0; k < MPM_STRESSES; k++)
+        e[k] *= rate;
+}
+
 /* The stress before this step's strain is the one after it less D de: the nodes still have the velocities
  * that strained. In the plane it has turned. */
 void mpm_force_stress(const Mpm *mpm, int particle, double stress[MPM_STRESSES])

@@ -138,14 +138,6 @@ void mpm_set_series(Mpm *mpm)
 const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_null", "momentum",   "reaction",
                                       "momentum_x", "momentum_y",   "reaction_x",   "reaction_y", NULL};
 
-bool mpm_has_column(const Mpm *mpm, int entry)
-{
-    for (int k = 0; k < mpm->sim.n_series; k++)
-        if (mpm->series_entry[k] == entry)
-            return true;
-    return false;
-}
-
 bool mpm_row_needs_grid(const Mpm *mpm)
 {
     if (mpm->bodies)

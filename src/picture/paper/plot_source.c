@@ -12,7 +12,7 @@
 
 static double place_on(const Axis *axis, double value)
 {
-    return axis->scale == SCALE_LINEAR ? value / pow(10, axis->exponent)
+    return axis->scale == SCALE_LINEAR ? value / axis_power_of_ten(axis->exponent)
            : axis->scale == SCALE_ROOT ? axis_place(axis, value)
                                        : value;
 }
