@@ -32,12 +32,21 @@ static const Validity *validity_of(const Settings *settings, Reference reference
     return solver && solver->validity[reference].keys ? &solver->validity[reference] : NULL;
 }
 
-const char *known_unaccounted_now(const Settings *settings, Reference reference)
+const char *known_unlisted_now(const Settings *settings, Reference reference)
 {
     const Validity *known = validity_of(settings, reference);
     for (int i = 0; known && i < n_parameters; i++)
         if (!is_among(known->keys, parameters[i].key) && is_at_work(settings, &parameters[i]))
             return parameters[i].key;
+    return NULL;
+}
+
+const char *known_unaccounted_now(const Settings *settings, Reference reference)
+{
+    const Validity *known = validity_of(settings, reference);
+    const char *key = known_unlisted_now(settings, reference);
+    if (key)
+        return key;
     const Solver *solver = known ? problem_solver(settings->problem, settings->method) : NULL;
     return solver && solver->unaccounted ? solver->unaccounted(settings, reference) : NULL;
 }

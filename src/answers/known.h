@@ -13,6 +13,10 @@ const char *answer_invalid_because(const Settings *, Reference);
 /* The same of the values alone, whatever changes on the way. */
 const char *known_unaccounted_now(const Settings *, Reference);
 
+/* And of the lists of keys alone: a solver may say more of what a reference does not know, though what is
+ * predicted of the largest step still holds. */
+const char *known_unlisted_now(const Settings *, Reference);
+
 enum { KNOWN_TEXT_MAX = 120 };
 
 /* "exact, frequency: not known with mpm.damping": the references that are left out because of the first such

@@ -222,8 +222,16 @@ static const char *const energy_changes[] = {"mpm.algorithm", "mpm.flip_fraction
                  [REFERENCE_FREQUENCY] = {of_any_start, changes},                                            \
                  [REFERENCE_ENERGY] = {of_energy, energy_changes}}
 
+/* A mesh of splines has lower modes than the beam's (plane_modes.h). */
+static const char *unaccounted(const Settings *settings, Reference reference)
+{
+    const bool spline = settings_transfer(settings)->shape == MPM_BSPLINE2;
+    return reference == REFERENCE_PREDICTED && spline ? "mpm.shape" : NULL;
+}
+
 const Solver beam_by_mpm_supported = {
     ALIKE,
+    .unaccounted = unaccounted,
     .predict = predict,
     .prepare = prepare_supported,
     .profile = beam_supported_profile,

@@ -218,11 +218,9 @@ static int transfer_of(const Mpm *mpm)
     return head->flip_fraction == 1.0 ? FLIP : BLEND;
 }
 
-/* A table of the nodes is written when the forces are known and the momentum is not yet integrated: then its
- * momenta are those that kinetic_grid is made of. */
 /* Of a line, of beams (supports are a stage of their own on the force, for a channel does work there), and of
- * bodies. A table of the nodes is written when the forces are known and the momentum is not yet integrated.
- */
+ * bodies. A table of the nodes is written when the forces are known and the momentum is not yet integrated:
+ * then its momenta are those that kinetic_grid is made of. */
 static const MpmSchedule schedules[][3] = {
     {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_FORGET}, 7, 4},
      [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN, OP_FORGET}, 7, 3},

@@ -2,6 +2,7 @@
 /* The mistakes of a bar's code: their rows, and the numbers that such a code takes (mistakes.h). */
 #include "methods/mpm/mistakes.h"
 #include "base/assertion.h"
+#include "methods/mpm/bodies_inner.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -69,8 +69,11 @@ unsigned plane_held(const Mpm *mpm, long step, int i, int j)
 {
     const double x = mpm->xmin + mpm_shift(mpm, step) * mpm->dx + i * mpm->dx, close = 1e-6 * mpm->dx;
     const double in = mpm->dx, far = mpm->plane.length;
-    const bool next = mpm_does(mpm, WRONG_HOLDS_NEXT), left = next ? fabs(x - in) <= close : x <= close;
-    const bool right = next ? fabs(x - (far - in)) <= close : x >= far - close;
+    /* of splines the nodes beyond the ends stay free: held too, they would hold the slope of the end */
+    const bool next = mpm_does(mpm, WRONG_HOLDS_NEXT),
+               there = next || (mpm->shape == MPM_BSPLINE2 && !mpm->plane.leaves_channel);
+    const bool left = there ? fabs(x - (next ? in : 0.0)) <= close : x <= close;
+    const bool right = there ? fabs(x - (next ? far - in : far)) <= close : x >= far - close;
     const bool middle = fabs(mpm->ymin + j * mpm->dx) <= close;
     if (mpm->plane.leaves_channel)
         return (left ? HELD_Y : 0) | (left && mpm->plane.clamp == CLAMP_FULL ? HELD_X : 0);
