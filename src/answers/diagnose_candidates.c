@@ -78,10 +78,10 @@ static void add_values(List *list, const Settings *right, const Parameter *param
 
 bool diagnose_is_tried(const Settings *right, const Parameter *parameter)
 {
-    /* mpm.rotation = none is the mistake no_rotation */
+    /* of bodies mpm.rotation = none is the mistake no_rotation */
     return !parameter->output && parameter->type != PARAMETER_TEXT &&
-           strcmp(parameter->key, "mpm.rotation") != 0 && parameter_applies_to(right, parameter) &&
-           strncmp(parameter->key, "time.", 5) != 0;
+           (strcmp(parameter->key, "mpm.rotation") != 0 || !(right->problem->concerns & CONCERN_BODIES)) &&
+           parameter_applies_to(right, parameter) && strncmp(parameter->key, "time.", 5) != 0;
 }
 
 int diagnose_candidates(const Settings *right, bool values, Candidate out[CANDIDATES_MAX])
@@ -292,6 +292,7 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
                  {"mpm.transfer", "", 0},
                  {"mpm.flip_fraction", "flip_fraction ", 1},
                  {"mpm.affine_start", "affine start ", 0},
+                 {"mpm.rotation", "rotation ", ROTATION_NONE},
                  {"pd.stepping", "", 0},
                  {"pd.surface_correction", "surface ", 0},
                  {"pd.volume_correction", "volume ", 0},
@@ -300,7 +301,7 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         const Parameter *parameter = parameter_find(words[i].key);
         char value[LIST_MAX];
-        if (!parameter_applies_to(settings, parameter))
+        if (!diagnose_is_tried(settings, parameter))
             continue;
         settings_get(settings, parameter, value);
         if (i == 0)

@@ -78,7 +78,7 @@ bool diagnose_is_still(const Search *search, int c)
 static void leave_out_lost(Search *search)
 {
     DiagnoseTable *table = search->table;
-    bool still[DIAGNOSE_COLUMNS_MAX], told[DIAGNOSE_COLUMNS_MAX] = {false};
+    bool still[DIAGNOSE_COLUMNS_MAX];
     for (int c = 0; c < table->n_columns; c++)
         still[c] = diagnose_is_still(search, c);
     for (size_t row = 0; row < rows_of(table); row++) {
@@ -89,13 +89,15 @@ static void leave_out_lost(Search *search)
             double *value = &table->file.columns[table->columns[c].theirs].values[table->rows[row]];
             if (!isinf(*value))
                 continue;
-            *value = NAN;
-            if (!told[c])
-                diagnose_note(table, "its column %s is not a number from row %zu on: left out",
-                              table->columns[c].name, table->rows[row] + 1);
-            told[c] = true;
+            *value = NAN; /* in every reading that comes */
+            size_t *lost = &search->lost[table->columns[c].theirs];
+            *lost = *lost ? *lost : table->rows[row] + 1;
         }
     }
+    for (int c = 0; c < table->n_columns; c++)
+        if (search->lost[table->columns[c].theirs])
+            diagnose_note(table, "its column %s is not a number from row %zu on: left out",
+                          table->columns[c].name, search->lost[table->columns[c].theirs]);
 }
 
 static void judge_copy(Search *search, int c, const char *what, const double *answers)

@@ -125,6 +125,8 @@ typedef struct Search {
     double until;      /* of the clock: DiagnoseTask.seconds */
     Settings of_first; /* the right code of its scheme */
     Status *status;
+    size_t
+        lost[OVERLAY_COLUMNS_MAX]; /* per column of the file the row from which on it is left out; 0: none */
 } Search;
 
 /* Whether no other code and no other reading is tried any more; what is found says so. */

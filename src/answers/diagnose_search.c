@@ -161,9 +161,10 @@ static bool is_beyond_chance(const Search *search, const Candidate *candidate, c
 {
     enum { DIGITS = 14 };
     const DiagnoseTable *table = search->table;
+    const int digits = diagnose_digits_written(table); /* 0: there is no number */
     const size_t start = table->moments[0].count * (size_t)table->n_columns,
                  before = search->walk.entries > start ? search->walk.entries : start,
-                 least = (size_t)(DIGITS / diagnose_digits_written(table) + 1);
+                 least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1);
     return walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
 }
 
@@ -485,7 +486,9 @@ static bool judge(Search *search, bool wrong)
 }
 
 /* Each way to read the table, the likeliest first, up to one that a right code explains, then to one that a
- * mistake does; else as the first that a value does, or as the first. */
+ * mistake does; else as the first that a value does, or as the first. Where nothing tells the time step but
+ * the numbers, readings with another than the scenario's come after its mistakes: a few digits of a curve fit
+ * them both. */
 static bool judge_readings(Search *search, const DiagnoseReading *readings, int count)
 {
     DiagnoseTable *table = search->table;
@@ -495,9 +498,11 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
     DiagnoseTable as_first = begun;
     Status why = {STATUS_DONE, ""};
     int first_of = -1;
-    for (int i = 0; i < 2 * count; i++) {
+    for (int i = 0; i < 4 * count && !(first_of >= 0 && diagnose_time_is_up(search)); i++) {
         const Diagnosis before = *search->found;
-        const bool wrong = i >= count;
+        const bool wrong = i / count % 2, guessed = i >= 2 * count;
+        if (guessed != (!begun.timed && readings[i % count].dt != begun.scenario_dt))
+            continue;
         *table = begun;
         *search->found = nothing;
         search->found->tried = before.tried;

@@ -287,6 +287,9 @@ expect "NaN from a row on" 1 mode5 nan.csv
 result "is left out" says out '^  x_by_own_velocity: '
 result "and told" says out '^(its column v_cm is not a number from row 19 on: left out)$'
 for step in 29 30 31 32; do echo "$step,,nan,nan,inf,-inf,nan"; done >tail.csv
+awk 'BEGIN { print "step,v_cm"; for (i = 0; i < 10; i++) print i ",nan" }' >none.csv
+expect "no number at all" 1 mode5 none.csv
+result "agrees in no row" says out "^Your numbers agree with the right code's in no row.\$"
 awk -F, -v OFS=, 'NR == 1 || NR <= 30 { print $1, $2, $3, $6, $7, $8, $10 }' right.csv | cat - tail.csv >lost.csv
 expect "a run that is no number in the end" 1 mode5 lost.csv
 result "is not right" sh -c 'grep -q "^They first depart at step 29, row 30, column v_cm:$" out && grep -q "^  yours is not a number from here on (nan or inf), right " out'
