@@ -85,7 +85,7 @@ static void print_choice(const Settings *settings, const Parameter *parameter, i
     const char *word = parameter->choices[choice], *sentence = parameter->choice_help(choice), *mark = NULL;
     const int methods = (int)parameter_methods(parameter, settings->problem);
     while (methods != BY_EVERY_METHOD && !(methods >> other.method & 1))
-        other.method = (MethodKind)(other.method + 1) % METHODS;
+        other.method = (MethodKind)((other.method + 1) % METHODS);
     if (settings_set(&other, parameter->key, word, &why) && !settings_check(&other, &why))
         mark = strstr(why.text, defined);
     printf("      %-22s %s", word, sentence);

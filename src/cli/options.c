@@ -5,6 +5,7 @@
  * reader. */
 #include "cli/options.h"
 
+#include "scenario/settings.h"
 #include "scenario/concern_output.h"
 #include "base/input.h"
 #include "base/threads.h"

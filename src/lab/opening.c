@@ -135,7 +135,8 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
     Settings settings;
     Experiment *experiment = NULL;
     if (scenario_load(name, &settings, status) &&
-        (view_check(&settings, scenario_builtin(name) ? &settings : NULL, status) || (scenario_blame(name, NULL, 0, status), false))) {
+        (view_check(&settings, scenario_builtin(name) ? &settings : NULL, status) ||
+         (scenario_blame(name, NULL, 0, status), false))) {
         /* checked before, for this may take long */
         opening_show_progress(lab, &settings);
         experiment = opening_experiment(lab, &settings, status);

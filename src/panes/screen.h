@@ -224,8 +224,6 @@ void screen_time_text(const Screen *, double time, char *out, size_t size);
  * so that a scale made of it keeps still. */
 double screen_field_reach(const Screen *, int field, const double *now, size_t count);
 
-/* The column of the record by name; -1: there is none. */
-
 /* A derived number by name; NAN: there is none. */
 double screen_derived(const Screen *, const char *name);
 

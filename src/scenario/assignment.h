@@ -9,6 +9,7 @@ typedef struct Problem Problem;           /* problems/problem.h */
 typedef struct ViewSettings ViewSettings; /* scenario/concern_output.h */
 
 typedef enum MethodKind { METHOD_MPM, METHOD_PD } MethodKind;
+enum { METHODS = METHOD_PD + 1 };
 
 enum {
     TITLE_MAX = 80, /* bytes, with the final zero; so the others */

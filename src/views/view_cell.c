@@ -630,10 +630,14 @@ static const char *note_of(const CellView *view)
            : view->terms.n_links == 0
                ? (view->terms.set ? "no particle is near: this node is empty" : "this particle sees no nodes")
            : !view->done || view->terms.n_flows > 0 ? NULL
-           : over           ? "the step is over: the particles are where it has moved them"
-           : view->met >= 0 ? "n from this body to the other; v of each before; what it gives the other"
-           : view->meets    ? "no other body shares these nodes"
-                            : "nothing passes between particles and nodes in this stage";
+           : over
+               ? LONG_SHORT("the step is over: the particles are where it has moved them", "the step is over")
+           : view->met >= 0
+               ? LONG_SHORT("n from this body to the other; v of each before; what it gives the other",
+                            "n: to the other body; v: before")
+           : view->meets ? "no other body shares these nodes"
+                         : LONG_SHORT("nothing passes between particles and nodes in this stage",
+                                      "nothing passes in this stage");
 }
 
 /* --- the whole ------------------------------------------------------------------------------------- */
@@ -693,7 +697,7 @@ static void describe_mesh(const CellView *view, Picture *picture)
         picture_key(picture, (PictureKey){LINE_SOLID, 'o', picture_kind_style(body), bodies->rows[body].name,
                                           0x25cb, 0});
     if (note_of(view))
-        picture_note(picture, STYLE_FAINT, note_of(view));
+        picture_note(picture, STYLE_FAINT, "%s", note_of(view));
     if (!view->running && !view->masses)
         add_sums(view, picture);
 }

@@ -38,8 +38,8 @@ static bool quit_key(Laboratory *lab, const char *key)
 {
     if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
         return false;
-    prompt_refuse(lab, "y leaves, n stays"); /* Enter or Esc is no clear answer, and the keys
-                                                            behind it must not become commands */
+    /* Enter or Esc is no clear answer, and the keys behind it must not become commands */
+    prompt_refuse(lab, "y leaves, n stays");
     return true;
 }
 

@@ -54,7 +54,8 @@ static bool assign(Laboratory *lab, const char *key, const char *value)
 {
     Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
-    return (settings_change(&settings, key, value, &status) && view_check(&settings, laboratory_settings(lab), &status) &&
+    return (settings_change(&settings, key, value, &status) &&
+            view_check(&settings, laboratory_settings(lab), &status) &&
             edit_change(lab, &settings, experiment_edit, &status)) ||
            prompt_refuse(lab, "%s", status.text);
 }

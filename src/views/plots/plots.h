@@ -70,7 +70,7 @@ void runs_add_letters(Picture *, const ShownRun *, int n_runs, const char *colum
 void runs_ghost_names(const Screen *, int columns, char *out, size_t size);
 
 /* Findings in the words of a note. */
-enum { READOUT_TEXT = 320 };
+enum { READOUT_TEXT = 640 };
 void runs_findings_text(const Screen *, const Finding *, int count, char *out, size_t size);
 
 /* What the run comes to, in notes that are beside each other where there is room. Returns how many. */
