@@ -175,9 +175,10 @@ Axis axis_make_log(double low, double high)
         low = 0.1, high = 1;
     const int first = decade_of(low), last = decade_of(high) + (decade_of(high) < math_log10(high) - 1e-9);
     const int decades = last > first ? last - first : 1;
-    return axis_with_ticks(
-        (Axis){.scale = SCALE_LOG, .low = axis_power_of_ten(first), .high = axis_power_of_ten(first + decades)},
-        TICKS_USUAL);
+    return axis_with_ticks((Axis){.scale = SCALE_LOG,
+                                  .low = axis_power_of_ten(first),
+                                  .high = axis_power_of_ten(first + decades)},
+                           TICKS_USUAL);
 }
 
 double axis_place(const Axis *axis, double value)

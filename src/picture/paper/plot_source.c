@@ -36,7 +36,9 @@ static Pencil pencil_of(const Picture *picture, int stroke)
 /* How an entry of the legend is shown: as a band, a dot or a piece of line. */
 static StrokeKind kind_of(const PictureKey *key)
 {
-    return key->sign == SIGN_BAND ? STROKE_BAND : key->sign >= 0x80 ? STROKE_DOTS : STROKE_LINE;
+    return key->sign == SIGN_BAND                  ? STROKE_BAND
+           : key->sign >= 0x80 || key->sign == '+' ? STROKE_DOTS
+                                                   : STROKE_LINE;
 }
 
 /* The signs of marks, as pgfplots and gnuplot have them; the last is none. */
@@ -46,12 +48,25 @@ static const struct Sign {
     int gnuplot;
 } signs[] = {{0x25cf, "*", 7}, {0x25cb, "o", 6}, {'o', "o", 6}, {0x25a0, "square*", 5}, {0, "none", 0}};
 
-static const struct Sign *sign_of(const PictureMark *mark)
+static const struct Sign *sign_of(uint32_t glyph)
 {
     const struct Sign *sign = signs;
-    while (sign->glyph && sign->glyph != mark->glyph)
+    while (sign->glyph && sign->glyph != glyph)
         sign++;
     return sign;
+}
+
+/* Of an entry of the legend: dots without a sign of their own are discs. */
+static const struct Sign *sign_of_key(const PictureKey *key)
+{
+    const struct Sign *sign = sign_of(key->sign);
+    return sign->glyph ? sign : signs;
+}
+
+/* The word at a rule; the letter of an event explains itself in the laboratory alone. */
+static const char *word_of(const PictureMark *mark)
+{
+    return mark->word && mark->word[0] && mark->word[1] ? mark->word : "";
 }
 
 /* The letter beside a mark, or in its place; 0: none. */
@@ -70,6 +85,8 @@ static void tex_words(FILE *out, const char *utf8)
     for (const char *at = plain; *at; at++)
         if (strchr("\\~^", *at))
             fprintf(out, "\\text%s{}", *at == '\\' ? "backslash" : *at == '~' ? "asciitilde" : "asciicircum");
+        else if (strchr("|<>", *at))
+            fprintf(out, "\\text%s{}", *at == '|' ? "bar" : *at == '<' ? "less" : "greater");
         else
             fprintf(out, strchr("#$%&_{}", *at) ? "\\%c" : "%c", *at);
 }
@@ -145,9 +162,11 @@ static void tex_mark(FILE *out, const Picture *picture, const PictureMark *mark)
 {
     const double x = place_on(&picture->plot.x, mark->x), y = place_on(&picture->plot.y, mark->y);
     if (mark->kind == MARK_RULE) {
-        fprintf(out, "\\draw (axis cs:%.9g,\\pgfkeysvalueof{/pgfplots/ymin}) -- (axis cs:%.9g,", x, x);
+        fputs("\\draw[line width=0.5pt, ", out);
+        tex_colour(out, "color", ink_of(mark->style));
+        fprintf(out, "] (axis cs:%.9g,\\pgfkeysvalueof{/pgfplots/ymin}) -- (axis cs:%.9g,", x, x);
         fputs("\\pgfkeysvalueof{/pgfplots/ymax}) node[below right] {", out);
-        tex_words(out, mark->word ? mark->word : "");
+        tex_words(out, word_of(mark));
         fputs("};\n", out);
         return;
     }
@@ -155,7 +174,7 @@ static void tex_mark(FILE *out, const Picture *picture, const PictureMark *mark)
         return;
     fputs("\\addplot[forget plot, only marks, ", out);
     tex_colour(out, "color", ink_of(mark->style));
-    fprintf(out, ", mark=%s] coordinates {(%.9g,%.9g)}", sign_of(mark)->tex, x, y);
+    fprintf(out, ", mark=%s] coordinates {(%.9g,%.9g)}", sign_of(mark->glyph)->tex, x, y);
     if (letter_of(mark))
         fprintf(out, " node[right, font=\\footnotesize] {%c}", letter_of(mark));
     fputs(";\n", out);
@@ -163,11 +182,12 @@ static void tex_mark(FILE *out, const Picture *picture, const PictureMark *mark)
 
 static void tex_key(FILE *out, const PictureKey *key)
 {
-    static const char *const images[] = {[STROKE_LINE] = "no marks, ",
-                                         [STROKE_DOTS] = "only marks, mark=*, ",
-                                         [STROKE_BAND] = "area legend, "};
+    static const char *const images[] = {
+        [STROKE_LINE] = "no marks, ", [STROKE_DOTS] = "only marks, ", [STROKE_BAND] = "area legend, "};
     const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
     fprintf(out, "\\addlegendimage{%s", images[kind_of(key)]);
+    if (kind_of(key) == STROKE_DOTS)
+        fprintf(out, "mark=%s, ", sign_of_key(key)->tex);
     if (kind_of(key) == STROKE_BAND)
         tex_colour(out, "fill", ink_fill(key->style, key->fill));
     else
@@ -179,19 +199,20 @@ static void tex_key(FILE *out, const PictureKey *key)
 
 static void write_tex(FILE *out, const Figure *figure, int columns)
 {
-    fprintf(out, "%% %s\n%% %s\n", figure->title, figure->parameters);
+    fprintf(out, "%% matvib " PACKAGE_VERSION "\n%% %s\n%% %s\n", figure->title, figure->parameters);
     fputs("% \\input it; the preamble needs \\usepackage{pgfplots}, \\pgfplotsset{compat=1.16} and\n"
           "% \\usepgfplotslibrary{groupplots}\n\\begin{tikzpicture}\n",
           out);
-    fprintf(out, "\\begin{groupplot}[group style={group size=%d by %d, vertical sep=2cm},\n", columns,
-            (figure->count + columns - 1) / columns);
+    fprintf(out,
+            "\\begin{groupplot}[group style={group size=%d by %d, horizontal sep=2cm, vertical sep=2cm},\n",
+            columns, (figure->count + columns - 1) / columns);
     fprintf(out,
             "width=%gmm, height=%gmm, scale only axis, unbounded coords=jump, legend pos=outer north east]\n",
             0.6 * figure->width / columns, 0.36 * figure->width / columns);
     for (int panel = 0; panel < figure->count; panel++) {
         const Picture *picture = &figure->panels[panel]->picture;
         fputs("\\nextgroupplot[title={", out);
-        tex_words(out, figure->panels[panel]->caption);
+        tex_words(out, figure->bare ? "" : figure->panels[panel]->caption);
         fputs("},\n", out);
         for (int axis = 0; axis < 2; axis++)
             tex_axis(out, picture, axis);
@@ -200,7 +221,10 @@ static void write_tex(FILE *out, const Figure *figure, int columns)
             tex_stroke(out, picture, i);
         for (size_t i = 0; i < picture->n_marks; i++)
             tex_mark(out, picture, &picture->marks[i]);
-        for (int i = 0; i < picture->n_keys; i++)
+        /* once, beside the first row */
+        const bool has_legend =
+            !figure->bare && panel == (columns < figure->count ? columns : figure->count) - 1;
+        for (int i = 0; has_legend && i < picture->n_keys; i++)
             tex_key(out, &picture->keys[i]);
     }
     fputs("\\end{groupplot}\n\\end{tikzpicture}\n", out);
@@ -248,14 +272,15 @@ static void gnuplot_mark(FILE *out, const Picture *picture, const PictureMark *m
 {
     const double x = place_on(&picture->plot.x, mark->x), y = place_on(&picture->plot.y, mark->y);
     if (mark->kind == MARK_RULE) {
-        fprintf(out, "set arrow from %.9g, graph 0 to %.9g, graph 1 nohead\nset label ", x, x);
-        gnuplot_words(out, mark->word ? mark->word : "");
+        fprintf(out, "set arrow from %.9g, graph 0 to %.9g, graph 1 nohead lc rgb '#%06x' lw 0.5\nset label ",
+                x, x, ink_of(mark->style));
+        gnuplot_words(out, word_of(mark));
         fprintf(out, " at %.9g, graph 0.95 offset 0.5,0\n", x);
     } else if (mark->kind == MARK_PLACE) {
         fprintf(out, "set label '%.1s' at %.9g,%.9g offset 0.7,0", (const char[]){letter_of(mark), '\0'}, x,
                 y);
-        if (sign_of(mark)->gnuplot)
-            fprintf(out, " point pt %d lc rgb '#%06x'", sign_of(mark)->gnuplot, ink_of(mark->style));
+        if (sign_of(mark->glyph)->gnuplot)
+            fprintf(out, " point pt %d lc rgb '#%06x'", sign_of(mark->glyph)->gnuplot, ink_of(mark->style));
         fputc('\n', out);
     }
 }
@@ -279,29 +304,31 @@ static void gnuplot_data(FILE *out, const Picture *picture, int panel, int index
     fputs("END\n", out);
 }
 
-static void gnuplot_plot(FILE *out, const Picture *picture, int panel)
+static void gnuplot_plot(FILE *out, const Picture *picture, int panel, bool bare)
 {
-    static const char *const drawn[] = {[STROKE_LINE] = "with lines",
-                                        [STROKE_DOTS] = "with points pt 7 ps 0.4",
-                                        [STROKE_BAND] = "with filledcurves"};
+    static const char *const drawn[] = {
+        [STROKE_LINE] = "with lines", [STROKE_DOTS] = "with points", [STROKE_BAND] = "with filledcurves"};
     fputs("plot ", out);
     for (int i = 0; i < picture->plot.n_strokes; i++) {
         const Stroke *stroke = &picture->plot.strokes[i];
         const Pencil pencil = pencil_of(picture, i);
         fprintf(out, "$p%ds%d notitle ", panel, i);
         fputs(drawn[stroke->kind], out);
+        fputs(stroke->kind == STROKE_DOTS ? " pt 7 ps 0.4" : "", out);
         if (stroke->kind == STROKE_BAND)
             fprintf(out, " fc rgb '#%06x'", ink_fill(stroke->style, stroke->fill));
         else
             gnuplot_pencil(out, &pencil);
         fputs(", \\\n  ", out);
     }
-    for (int i = 0; i < picture->n_keys; i++) {
+    for (int i = 0; !bare && i < picture->n_keys; i++) {
         const PictureKey *key = &picture->keys[i];
         const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
         fputs("NaN title ", out);
         gnuplot_words(out, key->name);
         fprintf(out, " %s", drawn[kind_of(key)]);
+        if (kind_of(key) == STROKE_DOTS)
+            fprintf(out, " pt %d", sign_of_key(key)->gnuplot);
         if (kind_of(key) == STROKE_BAND)
             fprintf(out, " fc rgb '#%06x'", ink_fill(key->style, key->fill));
         else
@@ -314,7 +341,8 @@ static void gnuplot_plot(FILE *out, const Picture *picture, int panel)
 static void write_gnuplot(FILE *out, const Figure *figure, int columns)
 {
     fprintf(out,
-            "# %s\n# %s\n# gnuplot -p FILE shows it; set terminal and set output before it write a file\n",
+            "# matvib " PACKAGE_VERSION
+            "\n# %s\n# %s\n# gnuplot -p FILE shows it; set terminal and set output before it write a file\n",
             figure->title, figure->parameters);
     fputs("set encoding utf8\nset termoption noenhanced\nset key outside\n", out);
     for (int panel = 0; panel < figure->count; panel++)
@@ -325,13 +353,13 @@ static void write_gnuplot(FILE *out, const Figure *figure, int columns)
     for (int panel = 0; panel < figure->count; panel++) {
         const Picture *picture = &figure->panels[panel]->picture;
         fputs("unset label\nunset arrow\nset title ", out);
-        gnuplot_words(out, figure->panels[panel]->caption);
+        gnuplot_words(out, figure->bare ? "" : figure->panels[panel]->caption);
         fputc('\n', out);
         for (int axis = 0; axis < 2; axis++)
             gnuplot_axis(out, picture, axis);
         for (size_t i = 0; i < picture->n_marks; i++)
             gnuplot_mark(out, picture, &picture->marks[i]);
-        gnuplot_plot(out, picture, panel);
+        gnuplot_plot(out, picture, panel, figure->bare);
     }
     fputs(figure->count > 1 ? "unset multiplot\n" : "", out);
 }
