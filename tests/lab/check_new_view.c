@@ -140,9 +140,9 @@ START_TEST(scenarios_help_and_figures_know_it)
     ck_assert(scenario_load("mode1", &wanted, &status) &&
               settings_set(&wanted, "view.upper", "profile", &status) &&
               settings_set(&wanted, "view.lower", "new-view", &status));
-    ck_assert_msg(view_check(&wanted, &status), "%s", status.text);
+    ck_assert_msg(view_check(&wanted, NULL, &status), "%s", status.text);
     ck_assert(settings_set(&wanted, "view.lower", "log", &status)); /* of the program, not of this list */
-    ck_assert(!view_check(&wanted, &status));
+    ck_assert(!view_check(&wanted, NULL, &status));
     ck_assert_str_eq(
         status.text,
         "view.lower: log is not allowed (profile, probe, beam, new-view, needy, rows, or 1 to 9)");

@@ -203,7 +203,7 @@ static bool read_screen(const char *line, Settings *settings, Status *status)
     ck_assert_ptr_nonnull(stream);
     *status = (Status){STATUS_DONE, ""};
     const bool sound = scenario_read(stream, "my.ini", settings, status) &&
-                       settings_check(settings, status) && view_check(settings, status);
+                       settings_check(settings, status) && view_check(settings, NULL, status);
     fclose(stream);
     return sound;
 }
@@ -482,6 +482,7 @@ START_TEST(the_number_of_a_scenario_is_known_at_its_end)
     Settings settings;
     Status status = {STATUS_DONE, ""};
     ck_assert(scenario_load(name, &settings, &status));
+    ck_assert_msg(view_check(&settings, NULL, &status), "%s: %s", name, status.text); /* nobody else asks */
     Screen screen;
     screen_default(&screen);
     Experiment *experiment = experiment_create(&settings, 64 << 20, 1, &status);
