@@ -35,7 +35,7 @@ const CliCommand cli_commands[] = {
      NULL},
     {"sweep", "SCENARIO", "many runs that differ in some parameters, a row for each", cli_sweep, 1, 1, NULL,
      NULL, NULL},
-    {"figure", "SCENARIO", "runs a scenario and draws a view of it for paper: SVG, PDF, PNG, LaTeX, gnuplot",
+    {"figure", "SCENARIO", "runs a scenario and draws a view: SVG, PDF, PNG, LaTeX, gnuplot",
      cli_figure, 1, 1, NULL, NULL, NULL},
     {"movie", "SCENARIO|SESSION|SCRIPT", "films the laboratory: .cast, animated .svg, .gif", cli_movie, 1, 1,
      "SCENARIO, SESSION or SCRIPT", NULL, NULL},

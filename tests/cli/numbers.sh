@@ -253,7 +253,7 @@ done
 run two-discs --set contact.gap=off
 claim $lesson/touching.lesson "First touch " 1.02 ": too early" touch
 claim $lesson/touching.lesson "separate with " 98 " % of their speed" restitution 100
-claim $lesson/touching.lesson "grows to " 114 " % of that" lost 1 100
+claim $lesson/touching.lesson "grows to " 114 " % in the rebound" lost 1 100
 run two-discs-off-centre
 claim $lesson/touching.lesson "without friction, a spin of " 0.06 " is left" spin
 last_row two-discs-off-centre --set contact.friction=0.5
@@ -339,7 +339,7 @@ claim $lesson/amplitude.lesson "No: " 24 " % are \"lumping\"" lumping
 claim $lesson/amplitude.lesson "Only " 0.2 " % are motions" null
 shares 99.36 100 mode10 --set initial.velocity=0.001
 claim $lesson/amplitude.lesson "" 24 " % lumping, as at the start" lumping
-claim $lesson/amplitude.lesson "and still " 0.2 " % hidden" null
+claim $lesson/amplitude.lesson "and still " 0.2 " % in the null space" null
 heard mode5
 claim $lesson/late.lesson "as tones: " 440 " Hz" right
 claim $lesson/late.lesson "440 Hz and " 421 " Hz" left
