@@ -275,7 +275,7 @@ static void choose_words(const char *text, bool brief, char out[PICTURE_TEXT_MAX
     size_t used = 0;
     for (; *text; text++)
         if (*text > 0 && *text <= SIGNS)
-            told = *text % SIGNS;
+            told = (unsigned)*text % SIGNS;
         else if ((told == BOTH || told == (brief ? SHORTER : WORDS)) && used + 1 < PICTURE_TEXT_MAX)
             out[used++] = *text;
     out[used] = '\0';

@@ -598,7 +598,7 @@ static void add_spare(Picture *picture, const char *text)
             text += held;
         }
         plain[used] = '\0';
-        picture_note(picture, STYLE_NORMAL, plain)->spare = true;
+        picture_note(picture, STYLE_NORMAL, "%s", plain)->spare = true;
         text = rest;
     }
 }

@@ -557,7 +557,7 @@ static Words told_of(double (*curve)(double), double (*exact)(double), const cha
     picture_open(&picture, WORDS_WIDTH, 0, WORDS_WIDTH, 16);
     picture.compares = true;
     picture_axes(&picture, axis_make(0, 10), "t", "", axis_make(-2, 2), "", "");
-    picture_heading(&picture, heading);
+    picture_heading(&picture, "%s", heading);
     for (int which = 0; which < (exact ? 2 : 1); which++) {
         plot_begin(&picture.plot, STROKE_LINE,
                    (Pen){which ? LINE_DOTTED : LINE_SOLID, 'm', which ? STYLE_EXACT : STYLE_MEASURED,
