@@ -105,7 +105,7 @@ const RunNumber run_numbers[] = {
     {"period_error", "error of the measured period, %", period_error,
      ABOUT("%", "period too long", "period too short"), .judged = true},
     {"predicted_error", "error of the predicted frequency, %", predicted_error, .label = NULL},
-    {"late", "periods behind the exact answer at the end", late, ABOUT("", "periods late", "periods early"),
+    {"late", "periods behind the exact answer at the end", late, ABOUT("", "periods behind", "periods ahead"),
      .judged = true},
     {"energy_change", "change of the energy from the start to the end, %", energy_change,
      ABOUT("%", "energy gained", "energy lost"), .part = SUMMARY_ENERGY},

@@ -15,8 +15,8 @@ typedef struct RunNumber {
     SummaryPart part;                                      /* the part of the summary that it is read from */
     const char *called;                                    /* in words; NULL: as the word */
     /* In large digits, where it stands alone: */
-    const char *label;    /* "periods late"; NULL: it is none that a scenario is about */
-    const char *opposite; /* of a negative one, told without its sign: "periods early"; NULL: with it */
+    const char *label;    /* "periods behind"; NULL: it is none that a scenario is about */
+    const char *opposite; /* of a negative one, told without its sign: "periods ahead"; NULL: with it */
     const char *unit;     /* "mm"; "": none */
     double scale;         /* what there is of that unit in one of the value's own */
     bool of_moment;       /* seen in a picture of one moment, not in one over time */

@@ -82,15 +82,15 @@ bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char wo
     const bool hidden = number->judged && !screen_shows_exact(screen);
     const char *gap = number->unit[0] ? " " : "";
     if (hidden || !isfinite(value)) {
-        /* of what may turn out one way or the other the words that both have: what is too long or short is
-         * off */
+        /* of what may turn out one way or the other the words that both have: what is too long or short has
+         * an error */
         const int same =
             number->opposite ? common(number->label, number->opposite) : (int)strlen(number->label);
         strcpy(digits, hidden ? "?" : "...");
         snprintf(words, NUMBER_WORDS_MAX, "%s%s%.*s", number->unit, gap, same, number->label);
         char *end = strstr(words, " too ");
         if (end)
-            strcpy(end, " off");
+            strcpy(end, " error");
         for (end = words + strlen(words); end > words && end[-1] == ' ';)
             *--end = '\0';
         return false;

@@ -173,7 +173,7 @@ bool screen_is_plain(const Screen *);
 bool screen_question(const Screen *, char *out, size_t size);
 
 /* The number that the scenario is about at the step on screen, in digits and what stands behind them:
- * "periods late". False: it is not known, or hidden: "..." or "?". */
+ * "periods behind". False: it is not known, or hidden: "..." or "?". */
 enum { NUMBER_DIGITS_MAX = 16, NUMBER_WORDS_MAX = 80 };
 bool screen_number(const Screen *, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX]);
 

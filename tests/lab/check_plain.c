@@ -342,7 +342,7 @@ START_TEST(the_number_is_told_and_curves_wait)
     const char *const asked = strstr(talk->text, "Why is mode 5 late? Which cures it");
     ck_assert_msg(asked && strstr(asked, "(time.courant)") && strstr(asked, "t tries cell size 0.5."), "%s",
                   talk->text);
-    ck_assert_ptr_nonnull(strstr(asked, "The number (periods late) is not known yet."));
+    ck_assert_ptr_nonnull(strstr(asked, "The number (periods behind) is not known yet."));
     ck_assert_ptr_nonnull(strstr(asked, "Bar: supports fixed-free."));
     ck_assert_ptr_null(strstr(talk->text, "View "));
     line(talk, "goto 5");
@@ -351,7 +351,7 @@ START_TEST(the_number_is_told_and_curves_wait)
     said = line(talk, "goto 5.5"); /* fifty */
     ck_assert_msg(strstr(said, "The number: "), "%s", said);
     said = line(talk, "until t 10");
-    ck_assert_msg(strstr(said, "The number: 0.38 periods late.") && !strstr(said, "measured"), "%s", said);
+    ck_assert_msg(strstr(said, "The number: 0.38 periods behind.") && !strstr(said, "measured"), "%s", said);
     said = line(talk, "why");
     ck_assert_msg(strstr(said, "11 cells to a wave") &&
                       strstr(said, "Mode 5 oscillates on this mesh at 0.957"),
@@ -360,7 +360,7 @@ START_TEST(the_number_is_told_and_curves_wait)
     says(talk, "show energies", "View energies");
     says(talk, "mesh.cell_size=0.5", "cell size (mesh.cell_size): 0.5, before: 1.");
     line(talk, "references none");
-    says(talk, "tell number", "The number (periods late) is hidden.");
+    says(talk, "tell number", "The number (periods behind) is hidden.");
     ck_assert_ptr_null(strstr(line(talk, "why"), "swings"));
     line(talk, "open notched-beam-coarse");
     says(talk, "tell setup", "Notch: position 0.065, depth 0.0175.");

@@ -234,7 +234,7 @@ START_TEST(the_number_stands_in_large_digits)
                   numbers[_i].words, first, last);
     char *text = canvas_dump(canvas);
     ck_assert_ptr_nonnull(strstr(text, "periods"));
-    ck_assert((strstr(text, "periods late") != NULL) == (numbers[_i].rows > 0));
+    ck_assert((strstr(text, "periods behind") != NULL) == (numbers[_i].rows > 0));
     free(text);
     scene_close(&scene);
 }
