@@ -206,7 +206,7 @@ START_TEST(a_scenario_is_chosen_from_a_list_with_titles)
     write_text("table.csv.ini", "[scenario]\ntitle = Beside a table\nproblem = bar\n");
     write_text("other.ini", "[desktop]\ncolour = blue\n"); /* no scenario */
     press(bench, "o");
-    ck_assert(shows(bench, "A hanging bar is let go"));
+    ck_assert(shows(bench, "Gravity is switched on"));
     ck_assert(!shows(bench, "Beside a table") && !shows(bench, "other.ini"));
     press(bench, "Up"); /* from the end of the list */
     expect_line(bench, "mine.ini");
