@@ -304,7 +304,7 @@ START_TEST(a_first_start_offers_the_first_lesson)
         session_open(&session, 80, 24, environment, start == 0 ? fresh : start == 2 ? again : known);
         session_idle(&session);
         ck_assert(start == 2 || session_shows(&session, "Enter first lesson") == (start < 2));
-        ck_assert(start == 2 || session_shows(&session, "frequency off")); /* on the plain sheet */
+        ck_assert(start == 2 || session_shows(&session, "frequency error")); /* on the plain sheet */
         if (*key[start])
             session_keys(&session, key[start]);
         ck_assert(!session_shows(&session, "Enter first lesson"));
