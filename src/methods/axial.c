@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What both bar methods take from axial.h: which particles bear the traction, and where front ends find
- * the motion. A particle bears it if its middle lies in the layer h of paper M, eq. 11: (k + 1/2) spacing
- * < h, with a tolerance for a layer that ends on a middle. */
+/* Which particles of a bar bear the traction: those whose middle lies in the layer h of paper M, eq. 11,
+ * (k + 1/2) spacing < h, with a tolerance for a layer that ends on a middle. */
 #include "methods/axial.h"
 
 #include "base/assertion.h"
@@ -25,12 +24,4 @@ bool axial_check_layer(double layer, double spacing, double length, Status *stat
         return status_refuse(status, "load.traction_layer: %g holds no particle (more than %g, or 0 for %g)",
                              layer, 0.5 * spacing, spacing);
     return true;
-}
-
-void axial_set_motion(Simulation *sim, unsigned has, double spacing)
-{
-    ASSERT_INT(sim->counts[0], >=, 1);
-    ASSERT_REAL(spacing, >, 0);
-    sim->has = HAS_LINE | has;
-    simulation_lay(sim, sim->counts[0], 1, spacing, 1, &(MotionFields){AXIAL_X0, AXIAL_U, AXIAL_V});
 }

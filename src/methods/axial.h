@@ -8,29 +8,18 @@
 #include "methods/method.h"
 
 /* The first fields of set 0, the particles: the columns of its table, in this order. */
-enum {
-    AXIAL_X0,
-    AXIAL_X,
-    AXIAL_U,
-    AXIAL_V,
-    AXIAL_STRESS,
-    AXIAL_STRAIN,
-    AXIAL_DENSITY,
-    AXIAL_MASS,
-    AXIAL_FIELDS
-};
+enum { AXIAL_X0, AXIAL_X, AXIAL_U, AXIAL_V, AXIAL_STRESS, AXIAL_STRAIN, AXIAL_DENSITY, AXIAL_MASS };
 
-/* Their rows. Stress and strain are something else in each method: these are the words for them. */
-#define AXIAL_FIELD_ROWS(of_stress, of_strain)                                                               \
-    [AXIAL_X0] = FIELD_ROW(0, true, false, "x0", "x0", "length", "position at the start"),                   \
-    [AXIAL_X] = FIELD_ROW(0, true, false, "x", "x", "length", "position"),                                   \
-    [AXIAL_U] = FIELD_ROW(0, true, false, "u", "displacement", "length", "displacement x - x0"),             \
-    [AXIAL_V] = FIELD_ROW(0, true, false, "v", "velocity", "length/time", "velocity"),                       \
-    [AXIAL_STRESS] = FIELD_ROW(0, true, false, "stress", "stress", "force/length^2", of_stress),             \
-    [AXIAL_STRAIN] = FIELD_ROW(0, true, false, "strain", "strain", "1", of_strain),                          \
-    [AXIAL_DENSITY] = FIELD_ROW(0, true, false, "density", "density", "mass/length^3", "density"),           \
-    [AXIAL_MASS] =                                                                                           \
-        FIELD_ROW(0, true, false, "mass", "mass", "mass/length^2", "mass per unit cross-section; constant")
+/* Their rows. Stress and strain are something else in each method: these are the words for them. ROW says
+ * what a row of the method's table is. */
+#define AXIAL_FIELD_ROWS(ROW, of_stress, of_strain)                                                          \
+    ROW(X0, "x0", "x0", "length", "position at the start"), ROW(X, "x", "x", "length", "position"),          \
+        ROW(U, "u", "displacement", "length", "displacement x - x0"),                                        \
+        ROW(V, "v", "velocity", "length/time", "velocity"),                                                  \
+        ROW(STRESS, "stress", "stress", "force/length^2", of_stress),                                        \
+        ROW(STRAIN, "strain", "strain", "1", of_strain),                                                     \
+        ROW(DENSITY, "density", "density", "mass/length^3", "density"),                                      \
+        ROW(MASS, "mass", "mass", "mass/length^2", "mass per unit cross-section; constant")
 
 /* The series begins and ends alike. */
 #define AXIAL_SERIES_BEGIN                                                                                   \
@@ -60,9 +49,5 @@ int axial_particles_in_layer(double layer, double spacing, int particles);
 
 /* Is load.traction_layer sound? 0 stands for the spacing: the last particle. */
 bool axial_check_layer(double layer, double spacing, double length, Status *status);
-
-/* Places the particles of a simulation, whose count is known, so far apart along a line: where front ends
- * find position, displacement and velocity. `has`: a mesh or bonds. */
-void axial_set_motion(Simulation *sim, unsigned has, double spacing);
 
 #endif

@@ -4,7 +4,7 @@
 #define MATVIB_ASSERTIONS 1
 #include "methods/method.c"
 
-#include "methods/mpm/line_fields.c"
+#include "methods/mpm/fields.c"
 #include "methods/mpm/links.c"
 
 #include "methods/bar_case.h"

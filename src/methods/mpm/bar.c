@@ -84,24 +84,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     return true;
 }
 
-static const Method method = {
-    .name = "mpm",
-    .title = "material point method",
-    .destroy = mpm_destroy,
-    .stage = mpm_stage,
-    .steps = mpm_steps,
-    .row = mpm_row,
-    .on_request = mpm_on_request,
-    .field = mpm_field,
-    .links = mpm_links,
-    .shapes = mpm_shapes,
-    .exchange = mpm_exchange,
-    .explain = mpm_explain,
-    .state_size = mpm_state_size,
-    .load = mpm_load,
-    .small = mpm_small,
-    .change = change,
-};
+static const Method method = {MPM_METHOD, .on_request = mpm_on_request, .small = mpm_small, .change = change};
 
 /* Numbers of the model that follow from the definition: counts, m = rho dx/P, dt = courant dx/c with c =
  * sqrt(E/rho) (eq. 21; of two materials the faster), supports and the particles under traction (eq. 11). The
@@ -163,7 +146,8 @@ static void derive(Mpm *mpm)
         mpm->mass[0] = def->density * mpm->dx;
     mpm->floor = 1e-12 * lightest * mpm->dx;
 
-    double spacing = mpm->dx / P;
+    const double spacing = mpm->dx / P;
+    mpm->spacing = def->cell_size / P;
     mpm->layer = def->traction_layer > 0.0 ? def->traction_layer : spacing;
     int in_layer = axial_particles_in_layer(mpm->layer, spacing, mpm->n_particles);
     mpm->layer_left = left ? 0 : in_layer;
@@ -241,30 +225,10 @@ static bool begin(Mpm *mpm, Status *status)
 
 Simulation *bar_create(const BarDef *definition, Status *status)
 {
+    static const MpmMaker maker = {"bar", &method, HAS_LINE | HAS_MESH, derive, begin, mpm_set_series};
     ASSERT(bar_check(definition, NULL));
     Mpm *mpm = calloc(1, sizeof *mpm);
-    if (!mpm) {
-        status_fail(status, "not enough memory for the bar");
-        return NULL;
-    }
-    Simulation *sim = &mpm->sim;
-    sim->method = &method;
-    mpm->bar = *definition;
-    if (!mpm_take_both(mpm, definition->mistake, definition->mistake_beside, status)) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    derive(mpm);
-    if (!mpm_build(mpm, status)) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    mpm_set_series(mpm);
-    axial_set_motion(sim, HAS_MESH, mpm->bar.cell_size / mpm->bar.particles_per_cell);
-    if (!begin(mpm, status)) {
-        simulation_destroy(sim);
-        return NULL;
-    }
-    mpm_take_schedule(mpm);
-    return sim;
+    if (mpm)
+        mpm->bar = *definition;
+    return mpm_create(mpm, &maker, (int[]){definition->mistake, definition->mistake_beside}, 1, status);
 }

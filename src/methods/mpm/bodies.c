@@ -32,6 +32,18 @@ static int each_particle(const Mpm *mpm, const BodyDef *body, void (*take)(Mpm *
     return next;
 }
 
+/* At most so many chunks: some rows of a body each. */
+static int count_chunks(const Bodies *bodies, double dx)
+{
+    int count = 0;
+    for (int k = 0; k < bodies->def.n_bodies; k++) {
+        double low[2], high[2];
+        bodies_bounds(&bodies->def.bodies[k], low, high);
+        count += (int)((high[1] - low[1]) / (BODIES_CHUNK_CELLS * dx)) + 2;
+    }
+    return count;
+}
+
 static void derive(Mpm *mpm)
 {
     Bodies *bodies = mpm->bodies;
@@ -73,7 +85,7 @@ static void derive(Mpm *mpm)
     for (int k = 0; k < def->n_bodies; k++)
         bodies->first[k + 1] = each_particle(mpm, &def->bodies[k], NULL, NULL, bodies->first[k]);
     mpm->joint = mpm->n_particles = bodies->first[def->n_bodies];
-    mpm->speed = 0;
+    mpm->n_chunks = count_chunks(bodies, mpm->dx);
 }
 
 /* --- chunks: some rows of a body each --------------------------------------------------------------- */
@@ -86,17 +98,6 @@ static int chunk_end(const Mpm *mpm, int first, int end)
     while (first < end && floor(mpm->at[1][first] / height) == row)
         first++;
     return first;
-}
-
-static int count_chunks(const Bodies *bodies, double dx)
-{
-    int count = 0;
-    for (int k = 0; k < bodies->def.n_bodies; k++) {
-        double low[2], high[2];
-        bodies_bounds(&bodies->def.bodies[k], low, high);
-        count += (int)((high[1] - low[1]) / (BODIES_CHUNK_CELLS * dx)) + 2;
-    }
-    return count;
 }
 
 /* Of at most as many as were counted; even ones first: engine.h. */
@@ -259,51 +260,20 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
 
 static const char *const on_request[] = {".touching", NULL};
 
-static const Method method = {
-    .name = "mpm",
-    .title = "material point method",
-    .destroy = mpm_destroy,
-    .stage = mpm_stage,
-    .steps = mpm_steps,
-    .row = mpm_row,
-    .on_request = on_request,
-    .field = bodies_field,
-    .links = mpm_links,
-    .shapes = mpm_shapes,
-    .exchange = mpm_exchange,
-    .explain = mpm_explain,
-    .state_size = mpm_state_size,
-    .load = mpm_load,
-    .change = change,
-};
-
-enum { PARTICLES_TO_SHARE = 2048 };
+static const Method method = {MPM_METHOD, .on_request = on_request, .change = change};
 
 Simulation *bodies_create(const BodiesDef *definition, Status *status)
 {
+    static const MpmMaker maker = {"bodies", &method, HAS_MESH | HAS_BODIES,
+                                   derive,   begin,   bodies_set_series};
     ASSERT(bodies_check(definition, NULL));
-    Mpm *mpm = calloc(1, sizeof *mpm);
-    Bodies *bodies = calloc(1, sizeof *bodies);
-    if (!mpm || !bodies) {
-        free(mpm), free(bodies);
-        status_fail(status, "not enough memory for the bodies");
-        return NULL;
+    struct {
+        Mpm mpm;
+        Bodies bodies;
+    } *both = calloc(1, sizeof *both);
+    if (both) {
+        both->mpm.bodies = &both->bodies;
+        both->bodies.def = *definition;
     }
-    Simulation *sim = &mpm->sim;
-    sim->method = &method;
-    mpm->bodies = bodies;
-    bodies->def = *definition;
-    derive(mpm);
-    mpm->n_chunks = count_chunks(bodies, mpm->dx);
-    /* a step of fewer particles is over before another thread has heard of it */
-    const int threads = mpm->n_particles < PARTICLES_TO_SHARE ? 1 : definition->threads;
-    if (!mpm_build(mpm, status) || !begin(mpm, status) ||
-        (threads > 1 && !(mpm->pool = pool_create(threads, status)))) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    bodies_set_fields(mpm);
-    bodies_set_series(mpm);
-    mpm_take_schedule(mpm);
-    return sim;
+    return mpm_create(both ? &both->mpm : NULL, &maker, (int[2]){0}, definition->threads, status);
 }

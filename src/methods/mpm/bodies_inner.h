@@ -75,8 +75,6 @@ Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
 bool bodies_at_wall(const Mpm *, int node);
 
 Stage bodies_stage(const Mpm *, MpmOp);
-void bodies_set_fields(Mpm *);
-void bodies_field(const Simulation *, int field, size_t first, size_t count, double *out);
 void bodies_set_series(Mpm *);
 void bodies_write_row(const Mpm *, double *row);
 double bodies_energy(const Mpm *); /* kinetic + strain */

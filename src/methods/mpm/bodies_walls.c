@@ -21,6 +21,18 @@
 #include <stdio.h>
 #include <string.h>
 
+bool bodies_at_wall(const Mpm *mpm, int node)
+{
+    const Bodies *bodies = mpm->bodies;
+    const int place = node % mpm->grid_nodes;
+    const int i = place % mpm->gx - BODIES_PADDING, j = place / mpm->gx - BODIES_PADDING;
+    const bool at[WALLS] = {i <= 0, i >= bodies->columns, j <= 0, j >= bodies->rows};
+    for (int wall = 0; wall < WALLS; wall++)
+        if (at[wall] && bodies->def.walls[wall] != WALL_OPEN)
+            return true;
+    return false;
+}
+
 /* A wall is at `place` in cells. Returns the energy that friction takes. */
 static double hold(Mpm *mpm, int node, int wall, double place)
 {

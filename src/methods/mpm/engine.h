@@ -34,7 +34,7 @@ enum {
     MPM_AXES = 2,
     MPM_STRESSES = 3, /* of a line one; in the plane xx, yy, xy */
     MPM_REACH_MAX = SHAPE_SUPPORT_MAX - 1,
-    MPM_FIELDS = 36,
+    MPM_FIELDS = 40,
     MPM_SERIES = 112
 };
 
@@ -144,7 +144,7 @@ typedef struct Mpm {
     Exchange exchanges[MPM_TERMS];
     MpmExchange terms[MPM_TERMS]; /* the same */
     Field fields[MPM_FIELDS];     /* those that there are at present, and which each of them is */
-    int field_kinds[MPM_FIELDS];
+    const struct MpmFieldRow *field_rows[MPM_FIELDS];
     Quantity series[MPM_SERIES]; /* those that are not left out, and which each of them is */
     int series_entry[MPM_SERIES];
 
@@ -437,6 +437,22 @@ bool mpm_steps(Simulation *, long count, double *rows, long *done, Status *);
 /* memory.c: memory by counts and shape; the state's verbs; what front ends read depends on live parameters.
  */
 bool mpm_build(Mpm *, Status *);
+/* What a bar, a beam and bodies have of their own, and what all of them have alike of a Method. */
+typedef struct MpmMaker {
+    const char *what; /* "bar" */
+    const Method *method;
+    unsigned has;                   /* HAS_... */
+    void (*derive)(Mpm *);          /* everything constant, from a definition that is sound */
+    bool (*begin)(Mpm *, Status *); /* the state at t = 0 */
+    void (*set_series)(Mpm *);
+} MpmMaker;
+#define MPM_METHOD                                                                                           \
+    .name = "mpm", .title = "material point method", .destroy = mpm_destroy, .stage = mpm_stage,             \
+    .steps = mpm_steps, .row = mpm_row, .field = mpm_field, .links = mpm_links, .shapes = mpm_shapes,        \
+    .exchange = mpm_exchange, .explain = mpm_explain, .state_size = mpm_state_size, .load = mpm_load
+/* Builds the simulation at t = 0 from one that has its definition, of a code with these mistakes; `mpm` may
+ * be NULL: no memory. NULL: the status says why not. */
+Simulation *mpm_create(Mpm *mpm, const MpmMaker *, const int mistakes[2], int threads, Status *);
 void mpm_destroy(Simulation *);
 void mpm_take_schedule(Mpm *);
 size_t mpm_state_size(const Simulation *);
@@ -461,7 +477,7 @@ ForceTerms mpm_forces(const Mpm *);            /* the terms of the external forc
 double mpm_load_on(const Mpm *, int particle); /* what they are together on a particle */
 void mpm_word_forces(Mpm *, Stage *);
 
-void mpm_list_fields(Mpm *);
+void mpm_list_fields(Mpm *); /* fields.c */
 void mpm_field(const Simulation *, int field, size_t first, size_t count, double *out);
 size_t mpm_links(const Simulation *, int set, size_t index, Link *out, size_t max);
 size_t mpm_shapes(const Simulation *, const double *at, Link *out, size_t max);
@@ -472,7 +488,6 @@ void mpm_list_exchanges(Mpm *);
 void mpm_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
                  char *out, size_t size);
 
-extern const Quantity mpm_line_series[];
 double mpm_energy(const Mpm *);
 /* A sum over particles is made of four, which are added in their order: particle p counts in p % 4. */
 enum { MPM_LANES = 4 };

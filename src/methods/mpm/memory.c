@@ -117,16 +117,59 @@ void mpm_destroy(Simulation *sim)
     pool_destroy(mpm->pool);
     free(mpm->memory);
     free(mpm->both);
-    free(mpm->bodies);
     free(mpm);
 }
 
 void mpm_take_schedule(Mpm *mpm)
 {
     mpm_list_stages(mpm);
-    if (mpm->dim == 1)
-        mpm_list_fields(mpm);
+    mpm_list_fields(mpm);
     mpm_list_exchanges(mpm);
+}
+
+/* Where things are at rest, and by which fields front ends find their motion. */
+static void lay(Mpm *mpm)
+{
+    static const char *const names[][MPM_AXES][3] = {{{"x0", "u", "v"}},
+                                                     {{"x0", "ux", "vx"}, {"y0", "uy", "vy"}}};
+    Simulation *sim = &mpm->sim;
+    MotionFields motion[MPM_AXES];
+    for (int axis = 0; axis < mpm->dim; axis++) {
+        const char *const *of = names[mpm->dim - 1][axis];
+        motion[axis] = (MotionFields){simulation_find_field(sim, MPM_PARTICLES, of[0]),
+                                      simulation_find_field(sim, MPM_PARTICLES, of[1]),
+                                      simulation_find_field(sim, MPM_PARTICLES, of[2])};
+    }
+    const bool beam = mpm->dim == 2 && !mpm->bodies;
+    simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,
+                   mpm->spacing, mpm->dim, motion);
+}
+
+Simulation *mpm_create(Mpm *mpm, const MpmMaker *maker, const int mistakes[2], int threads, Status *status)
+{
+    enum { PARTICLES_TO_SHARE = 2048 }; /* a step of fewer is over before another thread has heard of it */
+    if (!mpm) {
+        status_fail(status, "not enough memory for the %s", maker->what);
+        return NULL;
+    }
+    Simulation *sim = &mpm->sim;
+    sim->method = maker->method;
+    bool sound = mpm_take_both(mpm, mistakes[0], mistakes[1], status);
+    if (sound)
+        maker->derive(mpm);
+    sound = sound && mpm_build(mpm, status) && maker->begin(mpm, status);
+    threads = threads > mpm->n_chunks / 2 ? mpm->n_chunks / 2 : threads;
+    if (sound && threads > 1 && mpm->n_particles >= PARTICLES_TO_SHARE)
+        sound = (mpm->pool = pool_create(threads, status)) != NULL;
+    if (!sound) {
+        mpm_destroy(sim);
+        return NULL;
+    }
+    maker->set_series(mpm);
+    mpm_take_schedule(mpm);
+    sim->has = maker->has;
+    lay(mpm);
+    return sim;
 }
 
 /* Between steps the grid is forgotten and is not saved. */

@@ -180,56 +180,21 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     return true;
 }
 
-static const Method method = {
-    .name = "mpm",
-    .title = "material point method",
-    .destroy = mpm_destroy,
-    .stage = mpm_stage,
-    .steps = mpm_steps,
-    .row = mpm_row,
-    .on_request = mpm_on_request,
-    .field = plane_field,
-    .links = mpm_links,
-    .shapes = mpm_shapes,
-    .exchange = mpm_exchange,
-    .explain = mpm_explain,
-    .state_size = mpm_state_size,
-    .load = mpm_load,
-    .change = change,
-};
-
-enum { PARTICLES_TO_SHARE = 2048 };
+static const Method method = {MPM_METHOD, .on_request = mpm_on_request, .change = change};
 
 Simulation *plane_create(const PlaneDef *definition, Status *status)
 {
+    static const MpmMaker maker = {"beam",       &method, HAS_PLANE | HAS_MESH,
+                                   plane_derive, begin,   plane_set_series};
     ASSERT(plane_check(definition, NULL));
     Mpm *mpm = calloc(1, sizeof *mpm);
-    if (!mpm) {
-        status_fail(status, "not enough memory for the beam");
-        return NULL;
+    if (mpm)
+        mpm->plane = *definition;
+    Simulation *sim = mpm_create(mpm, &maker, (int[]){definition->mistake, definition->mistake_beside},
+                                 definition->threads, status);
+    if (sim) {
+        sim->has |= mpm->speed > 0 ? HAS_RELATIVE_ENERGY : 0u;
+        sim->common_speed = mpm->speed;
     }
-    Simulation *sim = &mpm->sim;
-    sim->method = &method;
-    mpm->plane = *definition;
-    if (!mpm_take_both(mpm, definition->mistake, definition->mistake_beside, status)) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    plane_derive(mpm);
-    /* a step of fewer particles is over before another thread has heard of it */
-    const int threads = mpm->n_particles < PARTICLES_TO_SHARE     ? 1
-                        : definition->threads > mpm->n_chunks / 2 ? mpm->n_chunks / 2
-                                                                  : definition->threads;
-    if (!mpm_build(mpm, status)) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    plane_set_fields(mpm);
-    plane_set_series(mpm);
-    if ((threads > 1 && !(mpm->pool = pool_create(threads, status))) || !begin(mpm, status)) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    mpm_take_schedule(mpm);
     return sim;
 }

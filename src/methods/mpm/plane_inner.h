@@ -17,8 +17,6 @@ void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is soun
 unsigned plane_held(const Mpm *, long step, int column, int row);
 
 Stage plane_stage(const Mpm *, MpmOp);
-void plane_set_fields(Mpm *);
-void plane_field(const Simulation *, int field, size_t first, size_t count, double *out);
 
 double plane_energy(const Mpm *);
 double plane_strain_at(const Mpm *, int particle); /* strain energy, J */

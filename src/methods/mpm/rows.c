@@ -14,6 +14,7 @@
  * problems/ is the sum without ripple). stress^2/2E is the energy of small strains; where particles cross
  * cells, strains are large enough to tell it from E (e exp(e) - exp(e) + 1), e = stress/E, which is what the
  * updates of stress and density really store. */
+#include "methods/axial.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 #include "methods/mpm/plane_inner.h"
@@ -123,11 +124,25 @@ enum Entry {
     ENTRIES
 };
 
+static const Quantity quantities[ENTRIES] = {
+    AXIAL_SERIES_BEGIN,
+    {"x_cm_rate", "d(x_cm)/dt", "length/time",
+     "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"},
+    AXIAL_SERIES_KINETIC,
+    {"kinetic_grid", "seen by grid", "force/length",
+     "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
+    {"kinetic_null", "null space", "force/length",
+     "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"},
+    {"strain", "strain", "force/length", "strain energy of the particles"},
+    AXIAL_SERIES_END,
+    AXIAL_SERIES_MOMENTUM(" in the last step"),
+};
+
 void mpm_set_series(Mpm *mpm)
 {
     Simulation *sim = &mpm->sim;
     for (int k = 0; k < ENTRIES; k++) {
-        mpm->series[k] = mpm_line_series[k];
+        mpm->series[k] = quantities[k];
         mpm->series_entry[k] = k;
     }
     sim->series = sim->series_asked = mpm->series;

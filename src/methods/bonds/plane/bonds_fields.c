@@ -120,8 +120,9 @@ static const Field fields[N_FIELDS] = {
 };
 
 /* Of a bar, and which of the above each is. */
+#define AXIAL(which, name, label, unit, meaning) PARTICLE(name, label, unit, meaning, true, false)
 static const Field line_fields[] = {
-    AXIAL_FIELD_ROWS("force of all bonds through a section, mean of the sections beside the node",
+    AXIAL_FIELD_ROWS(AXIAL, "force of all bonds through a section, mean of the sections beside the node",
                      "mean stretch of the node's bonds, weighted with length"),
     PARTICLE("strain_energy", "strain energy", "force/length", "half of the energy of the node's bonds", true,
              false),
@@ -386,7 +387,9 @@ void beam_set_fields(Beam *beam)
     if (beam->lattice.line) {
         sim->fields = line_fields;
         sim->n_fields = sizeof line_fields / sizeof *line_fields;
-        axial_set_motion(sim, HAS_BONDS | HAS_STRETCH, beam->lattice.spacing);
+        sim->has = HAS_LINE | HAS_BONDS | HAS_STRETCH;
+        simulation_lay(sim, sim->counts[SET_PARTICLE], 1, beam->lattice.spacing, 1,
+                       &(MotionFields){AXIAL_X0, AXIAL_U, AXIAL_V});
         return;
     }
     sim->fields = fields;

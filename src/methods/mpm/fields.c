@@ -1,0 +1,391 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What front ends read of bars, beams and bodies: a table of fields for each, and one function for particles
+ * and one for nodes that fill them. Computed when read, from the state as it is in mid-step too: which stages
+ * are done decides whether a place is the old or the new one, and a node's field is 0 before its stage. Of
+ * bodies set 1 has the nodes of all velocity fields, one grid after the other. */
+#include "base/assertion.h"
+#include "base/math/functions.h"
+#include "methods/axial.h"
+#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/mistakes.h"
+#include "methods/mpm/plane_inner.h"
+
+typedef enum FieldKind {
+    P_X0, /* of P_X0 to P_STRESS and most of a node one for each direction */
+    P_X,
+    P_U,
+    P_V,
+    P_STRESS,
+    P_STRAIN,
+    P_DENSITY,
+    P_MASS,
+    P_CELL,
+    P_NATURAL,
+    P_STRAIN_INCREMENT,
+    P_MOMENTUM,
+    P_AFFINE,
+    P_STRETCH,
+    P_BODY,
+    P_MISES,
+    P_PRESSURE,
+    P_JACOBIAN,
+    P_SPEED,
+    P_STRAIN_ENERGY,
+    P_ENERGY_DENSITY,
+    P_KINETIC_ENERGY,
+    P_PROBE,
+    N_X,
+    N_BODY,
+    N_FIXED,
+    N_HELD,
+    N_MASS,
+    N_MOMENTUM,
+    N_VELOCITY,
+    N_F_INT,
+    N_F_EXT,
+    N_F,
+    N_ACCELERATION,
+    N_MASS_BESIDE,
+    N_NORMAL,
+    N_ACTIVE,
+    N_VELOCITY_NEW
+} FieldKind;
+
+typedef struct MpmFieldRow {
+    FieldKind kind;
+    int axis; /* of a direction, a component of stress, a distance in the mass matrix */
+    Field field;
+} Row;
+
+#define ROW(kind, axis, set, in_table, integer, name, label, unit, meaning)                                  \
+    {                                                                                                        \
+        kind, axis, FIELD_ROW(set, in_table, integer, name, label, unit, meaning)                            \
+    }
+#define PARTICLE(kind, axis, name, label, unit, meaning)                                                     \
+    ROW(kind, axis, MPM_PARTICLES, true, false, name, label, unit, meaning)
+#define SHOWN(kind, axis, name, label, unit, meaning)                                                        \
+    ROW(kind, axis, MPM_PARTICLES, false, false, name, label, unit, meaning)
+#define NODE(kind, axis, name, label, unit, meaning)                                                         \
+    ROW(kind, axis, MPM_NODES, true, false, name, label, unit, meaning)
+#define NODE_SHOWN(kind, axis, name, label, unit, meaning)                                                   \
+    ROW(kind, axis, MPM_NODES, false, false, name, label, unit, meaning)
+#define NODE_FLAG(kind, axis, name, label, meaning)                                                          \
+    ROW(kind, axis, MPM_NODES, false, true, name, label, "1", meaning)
+#define AXIAL(which, name, label, unit, meaning) PARTICLE(P_##which, 0, name, label, unit, meaning)
+#define MASSES(beside, name, label, which)                                                                   \
+    NODE(N_MASS_BESIDE, beside, name, label, "mass/length^2", "mass matrix: " which)
+
+static const Row line[] = {
+    AXIAL_FIELD_ROWS(AXIAL, "axial stress, tension positive", "sum of the strain increments"),
+    ROW(P_CELL, 0, MPM_PARTICLES, false, true, "cell", "cell", "1",
+        "cell of the mesh that the particle is in"),
+    SHOWN(P_NATURAL, 0, "natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
+    SHOWN(P_STRAIN_INCREMENT, 0, "strain_increment", "strain increment", "1",
+          "strain of this time step; 0 before its stage"),
+    SHOWN(P_MOMENTUM, 0, "momentum", "momentum", "mass/(length*time)", "mass times velocity"),
+    SHOWN(P_AFFINE, 0, "affine", "slope C", "1/time", "slope of the velocity that APIC carries"),
+    PARTICLE(P_STRETCH, 0, "stretch", "stretch", "1", "length of the particle's domain over that at rest"),
+    NODE(N_X, 0, "x", "x", "length", "position of the node (Greville abscissa of a B-spline)"),
+    NODE(N_MASS, 0, "mass", "mass", "mass/length^2", "mass mapped from the particles"),
+    NODE(N_MOMENTUM, 0, "momentum", "momentum", "mass/(length*time)", "momentum"),
+    NODE(N_VELOCITY, 0, "velocity", "velocity", "length/time",
+         "momentum over mass; 0 where the node is inactive"),
+    NODE(N_F_INT, 0, "f_int", "internal force", "force/length^2", "force of the particles' stress"),
+    NODE(N_F_EXT, 0, "f_ext", "external force", "force/length^2", "force of the loads that act"),
+    NODE(N_F, 0, "f", "force", "force/length^2", "whole force; 0 at fixed nodes"),
+    NODE_SHOWN(N_ACCELERATION, 0, "acceleration", "acceleration", "length/time^2", "force over mass"),
+    MASSES(0, "mass_0", "M(i,i)", "the node's own"),
+    MASSES(1, "mass_1", "M(i,i+1)", "shared with the next node"),
+    MASSES(2, "mass_2", "M(i,i+2)", "shared with the next node but one"),
+    MASSES(3, "mass_3", "M(i,i+3)", "shared with the next node but two"),
+    NODE_FLAG(N_ACTIVE, 0, "active", "active", "1: the node has mass"),
+    NODE_FLAG(N_FIXED, 0, "fixed", "fixed", "1: a support holds the node"),
+    NODE_SHOWN(N_VELOCITY_NEW, 0, "velocity_new", "new velocity", "length/time",
+               "velocity after the force has acted: it moves the particles"),
+};
+
+static const Row plane[] = {
+    PARTICLE(P_X0, 0, "x0", "x0", "m", "place along the beam at rest"),
+    PARTICLE(P_X0, 1, "y0", "y0", "m", "place across the beam at rest, 0 on its mid-plane"),
+    PARTICLE(P_X, 0, "x", "x", "m", "place along the beam"),
+    PARTICLE(P_X, 1, "y", "y", "m", "place across the beam"),
+    PARTICLE(P_U, 0, "ux", "ux", "m", "displacement along the beam"),
+    PARTICLE(P_U, 1, "uy", "uy", "m", "displacement across the beam"),
+    PARTICLE(P_V, 0, "vx", "vx", "m/s", "velocity along the beam"),
+    PARTICLE(P_V, 1, "vy", "vy", "m/s", "velocity across the beam"),
+    PARTICLE(P_STRESS, 0, "sxx", "stress xx", "Pa", "stress along the beam, tension positive"),
+    PARTICLE(P_STRESS, 1, "syy", "stress yy", "Pa", "stress across the beam, tension positive"),
+    PARTICLE(P_STRESS, 2, "sxy", "stress xy", "Pa", "shear stress"),
+    PARTICLE(P_DENSITY, 0, "density", "density", "kg/m^3", "density"),
+    PARTICLE(P_MASS, 0, "mass", "mass", "kg/m", "mass of the particle for each metre of thickness"),
+    SHOWN(P_MISES, 0, "mises", "von Mises", "Pa",
+          "von Mises' stress, sqrt(sxx^2 + syy^2 - sxx syy + 3 sxy^2)"),
+    SHOWN(P_SPEED, 0, "speed", "speed", "m/s", "magnitude of the velocity, without the beam's common speed"),
+    SHOWN(P_STRAIN_ENERGY, 0, "strain_energy", "strain energy", "J", "strain energy of the particle"),
+    SHOWN(P_KINETIC_ENERGY, 0, "kinetic_energy", "kinetic energy", "J",
+          "kinetic energy of the particle, without the common speed"),
+    SHOWN(P_STRAIN_INCREMENT, 0, "exx", "strain step xx", "1",
+          "strain of this time step along the beam; 0 before its stage"),
+    SHOWN(P_STRAIN_INCREMENT, 1, "eyy", "strain step yy", "1",
+          "strain of this time step across the beam; 0 before its stage"),
+    SHOWN(P_STRAIN_INCREMENT, 2, "gxy", "shear step", "1",
+          "shear strain of this time step; 0 before its stage"),
+    ROW(P_PROBE, 0, MPM_PARTICLES, false, true, "probe", "probe", "1", "1: the probe is beside it"),
+    NODE(N_X, 0, "x", "x", "m", "place of the node along the beam"),
+    NODE(N_X, 1, "y", "y", "m", "place of the node across the beam"),
+    NODE(N_MASS, 0, "mass", "mass", "kg/m", "mass mapped from the particles"),
+    NODE(N_MOMENTUM, 0, "px", "momentum x", "kg/s", "momentum along the beam"),
+    NODE(N_MOMENTUM, 1, "py", "momentum y", "kg/s", "momentum across the beam"),
+    NODE(N_F, 0, "fx", "force x", "N/m", "force along the beam; 0 where it is held"),
+    NODE(N_F, 1, "fy", "force y", "N/m", "force across the beam; 0 where it is held"),
+    NODE_SHOWN(N_VELOCITY, 0, "vx", "vx", "m/s",
+               "momentum over mass; that of the beam where the node is inactive"),
+    NODE_SHOWN(N_VELOCITY, 1, "vy", "vy", "m/s", "momentum over mass; 0 where the node is inactive"),
+    NODE_SHOWN(N_ACCELERATION, 0, "ax", "acceleration x", "m/s^2", "force over mass"),
+    NODE_SHOWN(N_ACCELERATION, 1, "ay", "acceleration y", "m/s^2", "force over mass"),
+    NODE_FLAG(N_ACTIVE, 0, "active", "active", "1: the node has mass"),
+    NODE_FLAG(N_FIXED, 0, "fixed", "fixed", "1: a support or the channel holds it, one way or both"),
+    NODE_FLAG(N_HELD, 0, "held_x", "held x", "1: a support or the channel holds it along the beam"),
+    NODE_FLAG(N_HELD, 1, "held_y", "held y", "1: a support or the channel holds it across"),
+};
+
+static const Row bodies[] = {
+    PARTICLE(P_X, 0, "x", "x", "length", "place along x"),
+    PARTICLE(P_X, 1, "y", "y", "length", "place along y"),
+    PARTICLE(P_X0, 0, "x0", "x0", "length", "place along x at t = 0"),
+    PARTICLE(P_X0, 1, "y0", "y0", "length", "place along y at t = 0"),
+    PARTICLE(P_V, 0, "vx", "vx", "length/time", "velocity along x"),
+    PARTICLE(P_V, 1, "vy", "vy", "length/time", "velocity along y"),
+    PARTICLE(P_STRESS, 0, "sxx", "stress xx", "force/area", "stress along x, tension positive"),
+    PARTICLE(P_STRESS, 1, "syy", "stress yy", "force/area", "stress along y, tension positive"),
+    PARTICLE(P_STRESS, 2, "sxy", "stress xy", "force/area", "shear stress"),
+    PARTICLE(P_DENSITY, 0, "density", "density", "mass/volume", "density"),
+    PARTICLE(P_MASS, 0, "mass", "mass", "mass/length", "mass of the particle per unit thickness"),
+    ROW(P_BODY, 0, MPM_PARTICLES, true, true, "body", "body", "1", "number of its body, from 0 on"),
+    SHOWN(P_U, 0, "ux", "ux", "length", "displacement along x"),
+    SHOWN(P_U, 1, "uy", "uy", "length", "displacement along y"),
+    SHOWN(P_SPEED, 0, "speed", "speed", "length/time", "magnitude of the velocity"),
+    SHOWN(P_MISES, 0, "mises", "von Mises", "force/area",
+          "von Mises stress, with the stress across the plane"),
+    SHOWN(P_PRESSURE, 0, "pressure", "pressure", "force/area", "minus the mean of the three normal stresses"),
+    SHOWN(P_JACOBIAN, 0, "det_f", "det F", "1", "volume over that at t = 0"),
+    SHOWN(P_STRAIN_ENERGY, 0, "strain_energy", "strain energy", "force*length",
+          "strain energy of the particle"),
+    SHOWN(P_ENERGY_DENSITY, 0, "energy_density", "energy density", "force/area", "strain energy over volume"),
+    SHOWN(P_KINETIC_ENERGY, 0, "kinetic_energy", "kinetic energy", "force*length",
+          "kinetic energy of the particle"),
+    SHOWN(P_STRAIN_INCREMENT, 0, "exx", "strain step xx", "1",
+          "strain of this time step along x; 0 before its stage"),
+    SHOWN(P_STRAIN_INCREMENT, 1, "eyy", "strain step yy", "1",
+          "strain of this time step along y; 0 before its stage"),
+    SHOWN(P_STRAIN_INCREMENT, 2, "gxy", "shear step", "1",
+          "shear strain of this time step; 0 before its stage"),
+    NODE(N_X, 0, "x", "x", "length", "place of the node along x"),
+    NODE(N_X, 1, "y", "y", "length", "place of the node along y"),
+    NODE(N_MASS, 0, "mass", "mass", "mass/length", "mass mapped from the particles of its field"),
+    NODE(N_MOMENTUM, 0, "px", "momentum x", "mass*length/time", "momentum along x"),
+    NODE(N_MOMENTUM, 1, "py", "momentum y", "mass*length/time", "momentum along y"),
+    NODE(N_F, 0, "fx", "force x", "force", "force along x"),
+    NODE(N_F, 1, "fy", "force y", "force", "force along y"),
+    ROW(N_BODY, 0, MPM_NODES, true, true, "body", "body", "1", "body of its field; 0 where all share one"),
+    NODE_SHOWN(N_VELOCITY, 0, "vx", "vx", "length/time", "momentum over mass; 0 where the node is light"),
+    NODE_SHOWN(N_VELOCITY, 1, "vy", "vy", "length/time", "momentum over mass; 0 where the node is light"),
+    NODE_SHOWN(N_ACCELERATION, 0, "ax", "acceleration x", "length/time^2", "force over mass"),
+    NODE_SHOWN(N_ACCELERATION, 1, "ay", "acceleration y", "length/time^2", "force over mass"),
+    NODE_SHOWN(N_NORMAL, 0, "nx", "normal x", "mass/length", "sum m dN/dx, which points out of the body"),
+    NODE_SHOWN(N_NORMAL, 1, "ny", "normal y", "mass/length", "sum m dN/dy"),
+    NODE_FLAG(N_ACTIVE, 0, "active", "active", "1: the node has mass"),
+    NODE_FLAG(N_FIXED, 0, "fixed", "fixed", "1: a wall of the box acts on it"),
+};
+
+/* The slope C is a column of a bar's table with APIC, the acceleration where masses are not lumped; their
+ * matrix is there only then, as far as it reaches. */
+void mpm_list_fields(Mpm *mpm)
+{
+    const Row *const rows = mpm->bodies ? bodies : mpm->dim == 2 ? plane : line;
+    const size_t n = mpm->bodies     ? sizeof bodies / sizeof *bodies
+                     : mpm->dim == 2 ? sizeof plane / sizeof *plane
+                                     : sizeof line / sizeof *line;
+    const bool lumped = mpm_is_lumped(mpm);
+    int count = 0;
+    for (const Row *row = rows; row < rows + n; row++) {
+        if ((row->kind == N_MASS_BESIDE && (lumped || row->axis > mpm->support - 1)) ||
+            (row->kind == P_STRETCH && mpm->shape != MPM_CPDI))
+            continue;
+        ASSERT_INDEX(count, MPM_FIELDS);
+        Field *field = &mpm->fields[count];
+        *field = row->field;
+        if (row->kind == N_F_EXT)
+            field->quantity.meaning = mpm->force_words.meaning;
+        field->in_table |= (row->kind == P_AFFINE && mpm->head->transfer == MPM_APIC) ||
+                           (row->kind == N_ACCELERATION && !lumped);
+        mpm->field_rows[count++] = row;
+    }
+    mpm->sim.fields = mpm->fields;
+    mpm->sim.n_fields = count;
+}
+
+/* Across the plane: nu (sxx + syy) in plane strain, lambda ln J/J of the neo-Hookean law, 0 in plane stress.
+ */
+static double stress_across(const Mpm *mpm, int p)
+{
+    if (!mpm->bodies || mpm->bodies->def.plane == PLANE_STRESS)
+        return 0.0;
+    const double J = mpm->volume[p] / mpm->bodies->volume;
+    return bodies_are_neo(mpm) ? mpm->bodies->lambda * math_log(J) / J
+                               : mpm->bodies->def.poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
+}
+
+static double strain_energy(const Mpm *mpm, int p)
+{
+    return mpm->bodies ? bodies_strain_at(mpm, p) : plane_strain_at(mpm, p);
+}
+
+/* sum of the squares of the velocity, a beam's common speed left out */
+static double speed_squared(const Mpm *mpm, int p)
+{
+    const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
+    return vx * vx + vy * vy;
+}
+
+/* von Mises: sqrt((a^2 + b^2 + c^2)/2 + 3 sxy^2) of the differences of the three normal stresses */
+static double mises(const Mpm *mpm, int p)
+{
+    const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
+    const double zz = stress_across(mpm, p), a = xx - yy, b = yy - zz, c = zz - xx;
+    return sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (xy * xy));
+}
+
+/* The value of one particle's field. The place in the cell of a moved particle counts from its old cell until
+ * the last stage. */
+static double particle_field(const Mpm *mpm, const Row *row, int p)
+{
+    const int axis = row->axis;
+    double e[MPM_STRESSES] = {0.0};
+    switch (row->kind) {
+    case P_X0:
+        return mpm_rest(mpm, axis, p);
+    case P_X:
+        return mpm_rest(mpm, axis, p) + mpm->u[axis][p];
+    case P_U:
+        return mpm->u[axis][p];
+    case P_V:
+        return mpm->v[axis][p];
+    case P_STRESS:
+        return mpm->stress[axis][p];
+    case P_STRAIN:
+        return mpm->stress[0][p] / mpm_modulus(mpm, p);
+    case P_DENSITY:
+        return mpm_mass(mpm, p) / mpm->volume[p];
+    case P_MASS:
+        return mpm_mass(mpm, p);
+    case P_CELL:
+        return mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge);
+    case P_NATURAL:
+        return mpm->rest[0][p] - mpm->edge - mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge) +
+               mpm->u[0][p] / mpm->dx;
+    case P_STRAIN_INCREMENT:
+        if (mpm_has_done(mpm, OP_STRAIN))
+            mpm_strain_step(mpm, p, e);
+        return e[axis];
+    case P_MOMENTUM:
+        return mpm_mass(mpm, p) * mpm->v[0][p];
+    case P_AFFINE:
+        return mpm->affine[p];
+    case P_STRETCH:
+        return mpm->volume[p] * mpm->bar.particles_per_cell / mpm->dx;
+    case P_BODY:
+        return bodies_body_of(mpm, p);
+    case P_MISES:
+        return mises(mpm, p);
+    case P_PRESSURE:
+        return -(mpm->stress[0][p] + mpm->stress[1][p] + stress_across(mpm, p)) / 3.0;
+    case P_JACOBIAN:
+        return mpm->volume[p] / mpm->bodies->volume;
+    case P_SPEED:
+        return sqrt(speed_squared(mpm, p));
+    case P_STRAIN_ENERGY:
+        return strain_energy(mpm, p);
+    case P_ENERGY_DENSITY:
+        return strain_energy(mpm, p) / mpm->volume[p];
+    case P_KINETIC_ENERGY:
+        return 0.5 * mpm->mass[0] * speed_squared(mpm, p) * (mpm->bodies ? 1.0 : mpm->plane.thickness);
+    case P_PROBE:
+        return p == mpm->probe[0] || p == mpm->probe[1] || p == mpm->probe[2] || p == mpm->probe[3];
+    default:
+        return 0.0;
+    }
+}
+
+static double node_place(const Mpm *mpm, int axis, int node)
+{
+    const int at = mpm->bodies ? node % mpm->grid_nodes : node;
+    const int k = axis == 0 ? at % mpm->gx : at / mpm->gx;
+    if (mpm->dim == 1)
+        return mpm_node_position(mpm, node);
+    if (mpm->bodies)
+        return (k - BODIES_PADDING) * mpm->dx;
+    return axis == 0 ? mpm->xmin + (mpm_shift(mpm, mpm->sim.step) + k) * mpm->dx : mpm->ymin + k * mpm->dx;
+}
+
+/* The value of one node's field: the grid is forgotten between steps, and each is 0 before its stage. */
+static double node_field(const Mpm *mpm, const Row *row, int i)
+{
+    const int axis = row->axis;
+    const bool line_now = mpm->dim == 1, forced = mpm_has_done(mpm, OP_FORCE);
+    switch (row->kind) {
+    case N_X:
+        return node_place(mpm, axis, i);
+    case N_BODY:
+        return i / mpm->grid_nodes;
+    case N_FIXED:
+        return mpm->bodies ? bodies_at_wall(mpm, i) : mpm_held(mpm, mpm->sim.step, i) != 0;
+    case N_HELD:
+        return (mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis)) != 0;
+    default:
+        break;
+    }
+    if (!mpm_has_done(mpm, OP_MAP))
+        return 0.0;
+    switch (row->kind) {
+    case N_MASS:
+        return mpm->node_mass[i];
+    case N_MOMENTUM:
+        return mpm->momentum[axis][i];
+    case N_VELOCITY:
+        return mpm_has_done(mpm, line_now ? OP_MAP : OP_FIX) ? mpm_node_velocity(mpm, axis, i) : 0.0;
+    case N_VELOCITY_NEW: /* (p_i + dt f_i)/m_i */
+        return mpm_node_velocity(mpm, 0, i) + (forced && !mpm_has_done(mpm, OP_INTEGRATE)
+                                                   ? mpm->dt * mpm_node_acceleration(mpm, 0, i)
+                                                   : 0.0);
+    case N_F_INT:
+        return forced ? mpm->force[0][i] : 0.0;
+    case N_F_EXT:
+        return forced && mpm_is_loaded(mpm) ? mpm->load[i] : 0.0;
+    case N_F:
+        return !forced ? 0.0 : line_now ? mpm_node_force(mpm, 0, i) : mpm->force[axis][i];
+    case N_ACCELERATION:
+        if (mpm->bodies)
+            return forced ? mpm->force[axis][i] * mpm->inverse[i] : 0.0;
+        return mpm_has_done(mpm, line_now ? OP_FORCE : OP_FIX_FORCE) ? mpm_node_acceleration(mpm, axis, i)
+                                                                     : 0.0;
+    case N_MASS_BESIDE:
+        return mpm_mass_between(mpm, i, i + axis);
+    case N_NORMAL:
+        return mpm->normal[axis][i];
+    case N_ACTIVE:
+        return mpm->node_mass[i] > mpm->floor;
+    default:
+        return 0.0;
+    }
+}
+
+void mpm_field(const Simulation *sim, int field, size_t first, size_t count, double *out)
+{
+    const Mpm *mpm = mpm_of_const(sim);
+    ASSERT_INDEX(field, sim->n_fields);
+    ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
+    const Row *const row = mpm->field_rows[field];
+    for (int i = (int)first; i < (int)(first + count); i++)
+        *out++ = row->field.set == MPM_PARTICLES ? particle_field(mpm, row, i) : node_field(mpm, row, i);
+}
