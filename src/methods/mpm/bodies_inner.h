@@ -74,7 +74,6 @@ Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
 /* Whether a wall of the box acts on a node. */
 bool bodies_at_wall(const Mpm *, int node);
 
-Stage bodies_stage(const Mpm *, MpmOp);
 void bodies_set_series(Mpm *);
 void bodies_write_row(const Mpm *, double *row);
 double bodies_energy(const Mpm *); /* kinetic + strain */

@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stages of a step as shown to the user (name, equation, sentence, the fields read and written), and the
+ * order in which each algorithm does them:
+ *
+ *     USF    map  fix  strain  force  integrate  update                     forget
+ *     USL    map  fix          force  integrate  update             strain  forget
+ *     MUSL   map  fix          force  integrate  update  map again  strain  forget
+ *
+ * USF strains with the velocities that particles begin the step with, USL with those that it has made, MUSL
+ * with the latter mapped again from the particles; gradients are those of the old places in all three. In the
+ * plane the last stage forgets the grid; supports are a stage of their own on the force, for a channel that
+ * draws the beam along does work there, and hold what was mapped again; walls and contact of bodies act once
+ * more behind `integrate`. The transfer (FLIP, PIC blend, APIC, FMPM), the masses (lumped, blended) and the
+ * law of bodies change what some stages say: one table for each. Of the force stage of a line they say what
+ * is made of f_int and f_ext, loads.c says what these are. The work of a stage is stages.c. */
+#include "methods/mpm/mistakes.h"
+#include "methods/mpm/bodies_inner.h"
+
+#include <string.h>
+
+/* What changes the words. */
+typedef enum Wording {
+    FLIP,  /* of a line, with lumped masses */
+    BLEND, /* a share of PIC */
+    APIC_HAT,
+    APIC, /* with other shapes */
+    MASS, /* FLIP with blended masses, M = (1 - mu) M_c + mu M_l */
+    MASS_BLEND,
+    SERIES, /* FMPM(k) */
+    PLANE,  /* of a beam */
+    PLANE_BLEND,
+    PLANE_TURNED, /* the stress turns */
+    BODIES,
+    BODIES_BLEND,
+    BODIES_APIC,
+    BODIES_UNTURNED,
+    BODIES_NEO,
+    WORDINGS
+} Wording;
+
+/* FLIP with lumped masses; the other transfers below name only what they change. */
+static const Stage flip[OP_COUNT] = {
+    [OP_MAP] = {"map", "map to nodes", "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i", "eqs. 2, 3",
+                "Every particle gives its mass and its momentum to the nodes around it, "
+                "each node its share N.",
+                "x mass v", "mass momentum"},
+    [OP_FIX] = {"fix", "boundary conditions", "p_i = 0 at fixed nodes", "paper M, step 2",
+                "A node at a support cannot move: its momentum is taken away, its mass stays.", "momentum",
+                "momentum velocity"},
+    [OP_STRAIN] = {"strain", "strain and stress",
+                   "v_i = p_i/m_i    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
+                   "eqs. 4, 5, 7, 8, 9",
+                   "Where neighbouring nodes move apart the bar is stretched: "
+                   "the stress of the particles there grows, their density falls.",
+                   "velocity stress density", "strain_increment stress strain density"},
+    [OP_FORCE] = {"force", "nodal forces", "f_i = f_int + f_ext,   f_i = 0 at fixed nodes", "eqs. 10, 11, 12",
+                  "The stress of the particles pulls at their nodes, one way at the left, "
+                  "the other way at the right.",
+                  "stress density mass", "f_int f_ext f acceleration"},
+    [OP_INTEGRATE] = {"integrate", "integrate momentum", "p_i ← p_i + Δt f_i", "eq. 13",
+                      "Newton's law on the grid: in one time step the force changes the momentum of a node.",
+                      "momentum f", "momentum velocity"},
+    [OP_UPDATE] = {"update", "update particles",
+                   "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i", "eqs. 14, 15",
+                   "A particle takes the acceleration of its nodes for its velocity, "
+                   "and moves with the velocity of the nodes.",
+                   "f mass momentum velocity", "v x u"},
+    [OP_MAP_AGAIN] = {"map_again", "map again", "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes",
+                      "eq. 3 with the new v_p",
+                      "The nodes take their momentum from the particles' new velocities, "
+                      "so that the strain is made of what the particles now do.",
+                      "mass v", "momentum velocity"},
+    [OP_FORGET] = {"forget", "forget the grid", "m_i, p_i, f_i are dropped; the mesh is where it was",
+                   "paper M, after eq. 15",
+                   "The particles keep everything; the mesh is put back empty, "
+                   "so it never gets tangled.",
+                   "x", "cell"},
+};
+
+/* With a share of PIC. */
+static const Stage blend[OP_COUNT] = {
+    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
+                               "x_p ← x_p + Δt Σ N_i p_i/m_i",
+                   .source = "eqs. 14, 15 with PIC",
+                   .sentence = "A particle takes part of its velocity from its nodes, "
+                               "which wipes out what the grid cannot see."},
+};
+
+/* APIC with hats. */
+static const Stage apic_hat[OP_COUNT] = {
+    [OP_MAP] = {.equation = "m_i = Σ m_p N_i      p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i",
+                .source = "eqs. 2, 3 with APIC",
+                .sentence = "Every particle gives its mass and its momentum to the nodes around it; "
+                            "C says how its velocity changes along it.",
+                .reads = "x mass v affine"},
+    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",
+                   .source = "APIC, eq. 15",
+                   .sentence = "A particle takes its velocity from its nodes, "
+                               "and the slope of the velocity with it.",
+                   .reads = "mass momentum velocity",
+                   .writes = "v affine x u"},
+    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i,   p_i = 0 at fixed nodes",
+                      .source = "eq. 3 with the new v_p and C_p",
+                      .reads = "mass v affine"},
+};
+
+/* APIC with other shapes. */
+static const Stage apic[OP_COUNT] = {
+    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i v_i d_i / Σ N_i d_i²    d_i = x_i - x_p\n"
+                               "x_p ← x_p + Δt Σ N_i p_i/m_i"},
+};
+
+/* FLIP with blended masses, M = (1 - mu) M_c + mu M_l. */
+static const Stage mass[OP_COUNT] = {
+    [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      M v = p\n"
+                            "M = (1 - μ) M_c + μ M_l      M_c = Σ m_p N_i N_j",
+                .source = "paper M, step 2, with a mass blend",
+                .sentence = "A node at a support cannot move; the velocities of all others follow together, "
+                            "as neighbouring nodes share the mass between them."},
+    [OP_STRAIN] = {.equation = "M v = p    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
+                   .source = "eqs. 5, 7, 8, 9"},
+    [OP_FORCE] = {.equation = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
+                  .sentence = "The stress of the particles pulls at their nodes; "
+                              "how the nodes yield to it follows for all of them together."},
+    [OP_INTEGRATE] =
+        {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i,   so that M v = p",
+         .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node, "
+                     "the acceleration its velocity.",
+         .reads = "momentum f acceleration"},
+    [OP_UPDATE] = {.equation = "v_p ← v_p + Δt Σ N_i a_i      x_p ← x_p + Δt Σ N_i v_i",
+                   .reads = "acceleration velocity"},
+    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      M v = p"},
+};
+
+/* Blended masses and a share of PIC. */
+static const Stage mass_blend[OP_COUNT] = {
+    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i a_i) + (1 - α) Σ N_i v_i\n"
+                               "x_p ← x_p + Δt Σ N_i v_i",
+                   .source = "eqs. 14, 15 with PIC",
+                   .sentence = "A particle takes part of its velocity from its nodes, "
+                               "which wipes out what the grid cannot see."},
+};
+
+/* FMPM(k). */
+static const Stage series[OP_COUNT] = {
+    [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
+                            "d_j+1 = d_j - Σ m_p N_i (Σ N_n d_j)/m_i,   0 at fixed nodes",
+                .source = "paper M, step 2, with FMPM(k)",
+                .sentence =
+                    "A node at a support cannot move; each term of the series puts right what the particles "
+                    "would not give back of the terms before.",
+                .reads = "momentum mass"},
+    [OP_STRAIN] = {.equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)"},
+    [OP_FORCE] = {.equation = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
+                  .sentence = "The stress of the particles pulls at their nodes; "
+                              "their accelerations follow from the forces as velocities do from momenta."},
+    [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p"},
+    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
+                   .source = "FMPM",
+                   .sentence =
+                       "A particle takes its velocity from its nodes, nothing that they cannot see stays, "
+                       "and moves with the mean of both.",
+                   .reads = "velocity v"},
+    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
+};
+
+#define WALL_EQUATION "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by ≤ μ q·n"
+#define FIX_EQUATION                                                                                         \
+    "contact: d ≤ 2 gap, vₙ > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)\n" WALL_EQUATION                \
+    "      vₙ = (v_a - v)·n"
+
+static const Stage plane[OP_COUNT] = {
+    [OP_MAP] = {NULL, NULL, "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i      N_i = N_x N_y",
+                "paper M, eqs. 2, 3, in the plane", NULL, "x y mass vx vy", "mass px py"},
+    [OP_FIX] = {"hold", "supports", "held: p_x = m_i v₀,  p_y = 0", "paper M, step 2; paper P, eqs. 12, 13",
+                "A node that a support or the channel holds moves with it, and with nothing else.",
+                "mass px py", "px py vx vy"},
+    [OP_STRAIN] = {NULL, NULL,
+                   "v_i = p_i/m_i    Δε = Δt sym(Σ ∇N_i v_i)    σ ← σ + D Δε    ρ ← ρ/(1 + tr Δε)",
+                   "paper M, eqs. 4 to 9, plane stress",
+                   "Where neighbouring nodes move apart or slide past each other the beam is strained, "
+                   "and the stress of the particles there follows.",
+                   "vx vy sxx syy sxy density", "exx eyy gxy sxx syy sxy density"},
+    [OP_FORCE] = {NULL, NULL, "f_i = -Σ σ_p · ∇N_i m_p/ρ_p", "paper M, eq. 10, in the plane",
+                  "The stress of the particles pulls at their nodes along and across the beam.",
+                  "sxx syy sxy density mass", "fx fy"},
+    [OP_FIX_FORCE] = {"hold_force", "supports on the force", "held: work ← work - f_x v₀ Δt,  then f = 0",
+                      "paper M, step 5",
+                      "Supports take the force of the nodes that they hold; "
+                      "a channel that draws the beam along does work.",
+                      "fx fy", "fx fy ax ay"},
+    [OP_INTEGRATE] = {NULL, NULL, NULL, "paper M, eq. 13", NULL, "px py fx fy", "px py vx vy"},
+    [OP_UPDATE] = {NULL, NULL, NULL, "paper M, eqs. 14, 15",
+                   "A particle takes the acceleration of its nodes and moves with their velocity; "
+                   "then the grid is forgotten.",
+                   "ax ay vx vy", "vx vy x y ux uy"},
+    [OP_MAP_AGAIN] = {NULL, NULL, "p_i = Σ m_p v_p N_i", "paper M, eq. 3 with the new v_p", NULL,
+                      "mass vx vy", "px py"},
+    [OP_FIX_AGAIN] = {"hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0", "as before",
+                      "What was mapped again is held again.", "mass px py", "px py vx vy"},
+};
+
+static const Stage plane_blend[OP_COUNT] = {
+    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
+                               "x_p ← x_p + Δt Σ N_i p_i/m_i",
+                   .source = "paper M, eqs. 14, 15 with PIC",
+                   .sentence =
+                       "A particle takes part of its velocity from its nodes, which wipes out what the "
+                       "grid cannot see; then the grid is forgotten."},
+};
+
+static const Stage plane_turned[OP_COUNT] = {
+    [OP_STRAIN] = {.equation = "L = Σ (p_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    ρ ← ρ/(1 + Δt tr L)",
+                   .source = "paper M, eqs. 4 to 9; Hughes, Winget 1980"},
+};
+
+static const Stage bodies[OP_COUNT] = {
+    [OP_MAP] = {NULL, NULL, "m_i = Σ m_p N_i      q_i = Σ m_p v_p N_i      N_i = N_x N_y",
+                "Sulsky, Chen, Schreyer 1994",
+                "Every particle gives its mass and its momentum to the nodes around it, "
+                "each body to its own field.",
+                NULL, "mass px py nx ny"},
+    [OP_FIX] =
+        {"fix", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
+         "Walls take the momentum that goes out of the box; where two bodies share a node and approach "
+         "each other, one gives the other the impulse that stops it.",
+         "mass px py nx ny", NULL},
+    [OP_STRAIN] = {NULL, NULL, "L = Σ (q_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
+                   "Hughes, Winget 1980",
+                   "Where neighbouring nodes move apart, slide past each other or turn, the particles "
+                   "between them are strained and turned, and their stress follows.",
+                   NULL, "sxx syy sxy density"},
+    [OP_FORCE] = {NULL, NULL, "f_i = Σ (m_p g N_i - V_p σ_p · ∇N_i)", "Sulsky, Chen, Schreyer 1994",
+                  "Weight and the stress of the particles pull at their nodes.", NULL, NULL},
+    [OP_INTEGRATE] = {NULL, NULL, "q_i ← q_i + Δt (f_i - α q_i)", "Newton",
+                      "In one time step the force changes the momentum of a node.", NULL, NULL},
+    [OP_FIX_MOVED] = {"fix_moved", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
+                      "What forces have pushed into a wall or into another body is stopped as before.",
+                      "mass px py nx ny", "px py vx vy"},
+    [OP_UPDATE] = {NULL, NULL, "v_p ← v_p + Σ N_i (q_i - q0_i)/m_i      x_p ← x_p + Δt Σ N_i q_i/m_i", "FLIP",
+                   "A particle takes the change of its nodes' velocity since the map, and moves with them.",
+                   "px py vx vy", NULL},
+    [OP_MAP_AGAIN] = {NULL, NULL, "q_i = Σ m_p v_p N_i", "MUSL", NULL, NULL, NULL},
+    [OP_FIX_AGAIN] = {"fix_again", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
+                      NULL, "mass px py nx ny", NULL},
+};
+
+static const Stage bodies_blend[OP_COUNT] = {
+    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Σ N_i (q_i - q0_i)/m_i) + (1 - α) Σ N_i q_i/m_i\n"
+                               "x_p ← x_p + Δt Σ N_i q_i/m_i",
+                   .source = "FLIP with a share of PIC",
+                   .sentence = "A particle takes part of its velocity from its nodes, which wipes "
+                               "out what the grid cannot see."},
+};
+
+static const Stage bodies_apic[OP_COUNT] = {
+    [OP_MAP] = {.equation =
+                    "m_i = Σ m_p N_i      q_i = Σ m_p N_i (v_p + B_p D⁻¹ (x_i - x_p))      N_i = N_x N_y",
+                .source = "Jiang et al. 2015",
+                .sentence = "Every particle gives its mass and its momentum, with its gradient, to the "
+                            "nodes around it."},
+    [OP_UPDATE] = {.equation =
+                       "v_p ← Σ N_i q_i/m_i      B_p ← Σ N_i (q_i/m_i) (x_i - x_p)ᵀ      x_p ← x_p + Δt v_p",
+                   .source = "Jiang et al. 2015",
+                   .sentence = "A particle takes the velocity of its nodes and the gradient of it, so that "
+                               "turning is not lost."},
+};
+
+static const Stage bodies_unturned[OP_COUNT] = {
+    [OP_STRAIN] = {.equation = "L = Σ (q_i/m_i) ⊗ ∇N_i      σ ← σ + D Δt sym L      V ← V (1 + Δt tr L)",
+                   .source = "the stress does not turn with the body"},
+};
+
+static const Stage bodies_neo[OP_COUNT] = {
+    [OP_STRAIN] = {.equation =
+                       "L = Σ v_i ⊗ ∇N_i  F ← (I + Δt L) F  J = det F  σ = (G (FFᵀ - I) + λ ln J I)/J",
+                   .source = "compressible neo-Hookean law"},
+};
+
+/* In each a member that is not said is as in the one that it is like. */
+static const struct {
+    const Stage *stages;
+    Wording like;
+} wordings[WORDINGS] = {[FLIP] = {flip, FLIP},
+                        [BLEND] = {blend, FLIP},
+                        [APIC_HAT] = {apic_hat, FLIP},
+                        [APIC] = {apic, APIC_HAT},
+                        [MASS] = {mass, FLIP},
+                        [MASS_BLEND] = {mass_blend, MASS},
+                        [SERIES] = {series, MASS},
+                        [PLANE] = {plane, FLIP},
+                        [PLANE_BLEND] = {plane_blend, PLANE},
+                        [PLANE_TURNED] = {plane_turned, PLANE},
+                        [BODIES] = {bodies, PLANE},
+                        [BODIES_BLEND] = {bodies_blend, BODIES},
+                        [BODIES_APIC] = {bodies_apic, BODIES},
+                        [BODIES_UNTURNED] = {bodies_unturned, BODIES},
+                        [BODIES_NEO] = {bodies_neo, BODIES}};
+
+static void take_unsaid(const char **member, const char *other)
+{
+    if (!*member)
+        *member = other;
+}
+
+static Stage stage_of(Wording wording, MpmOp op)
+{
+    Stage stage = wordings[wording].stages[op];
+    while (wording != FLIP) {
+        wording = wordings[wording].like;
+        const Stage *other = &wordings[wording].stages[op];
+        take_unsaid(&stage.id, other->id);
+        take_unsaid(&stage.name, other->name);
+        take_unsaid(&stage.equation, other->equation);
+        take_unsaid(&stage.source, other->source);
+        take_unsaid(&stage.sentence, other->sentence);
+        take_unsaid(&stage.reads, other->reads);
+        take_unsaid(&stage.writes, other->writes);
+    }
+    return stage;
+}
+
+/* Which of them a stage is in at present. */
+static Wording wording_of(const Mpm *mpm, MpmOp op)
+{
+    const MpmHead *head = mpm->head;
+    const bool flips = head->flip_fraction == 1.0, strains = op == OP_STRAIN;
+    if (mpm->bodies && strains)
+        return bodies_are_neo(mpm)                          ? BODIES_NEO
+               : mpm->bodies->def.rotation == ROTATION_NONE ? BODIES_UNTURNED
+                                                            : BODIES;
+    if (mpm->bodies)
+        return head->transfer == MPM_APIC ? BODIES_APIC : flips ? BODIES : BODIES_BLEND;
+    if (mpm->dim == 2)
+        return strains && mpm->turn != 0 ? PLANE_TURNED : flips ? PLANE : PLANE_BLEND;
+    if (head->transfer == MPM_APIC)
+        return mpm->shape == MPM_HAT ? APIC_HAT : APIC;
+    if (head->transfer == MPM_FMPM)
+        return SERIES;
+    if (!mpm_is_lumped(mpm))
+        return flips ? MASS : MASS_BLEND;
+    return flips ? FLIP : BLEND;
+}
+
+/* Of a line, of beams and of bodies. A table of the nodes is written when the forces are known and the
+ * momentum is not yet integrated: then its momenta are those that kinetic_grid is made of. */
+static const MpmSchedule schedules[][3] = {
+    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_FORGET}, 7, 4},
+     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN, OP_FORGET}, 7, 3},
+     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN, OP_STRAIN, OP_FORGET},
+                   8,
+                   3}},
+    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE}, 7, 5},
+     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN}, 7, 4},
+     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN,
+                    OP_FIX_AGAIN, OP_STRAIN},
+                   9,
+                   4}},
+    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE}, 7, 4},
+     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_STRAIN}, 7, 3},
+     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_MAP_AGAIN,
+                    OP_FIX_AGAIN, OP_STRAIN},
+                   9,
+                   3}},
+};
+
+const MpmSchedule *mpm_schedule(const Mpm *mpm)
+{
+    return &schedules[mpm->bodies ? 2 : mpm->dim == 2][mpm->head->algorithm];
+}
+
+void mpm_list_stages(Mpm *mpm)
+{
+    const MpmSchedule *schedule = mpm_schedule(mpm);
+    for (int i = 0; i < schedule->count; i++) {
+        const MpmOp op = schedule->ops[i];
+        Stage *stage = &mpm->stages[i];
+        *stage = stage_of(wording_of(mpm, op), op);
+        if (mpm->bodies && mpm->bodies->n_fields == 1 && strcmp(stage->equation, FIX_EQUATION) == 0)
+            stage->equation = WALL_EQUATION;
+        if (op == OP_FORCE && mpm->dim == 1)
+            mpm_word_forces(mpm, stage);
+        if (mpm->bodies)
+            bodies_write_wrongly(mpm, op, stage);
+        else
+            mpm_write_wrongly(mpm, stage, op);
+    }
+    mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
+    mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
+    mpm->sim.stages = mpm->stages;
+    mpm->sim.n_stages = schedule->count;
+    mpm->sim.sets = mpm->sets;
+}
