@@ -16,7 +16,6 @@ static inline int plane_chunk_cells(int columns)
 void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
 unsigned plane_held(const Mpm *, long step, int column, int row);
 
-
 double plane_energy(const Mpm *);
 double plane_strain_at(const Mpm *, int particle); /* strain energy, J */
 bool plane_row_needs_grid(const Mpm *);
