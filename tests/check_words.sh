@@ -29,6 +29,15 @@ for file in $(echo $named | sed 's/ NEWS / /'); do
 	result "$file: no other address is left" sh -c "grep -q host.test '$scratch/named/$file' && ! grep '@example\|//example\|2026-11-23' '$scratch/named/$file'"
 done
 
+# NEWS, the package and the software catalogues name the same versions, and NEWS the numbers of mistakes that there are
+sed -n 's/^matvib \([0-9][^ ]*\)$/\1/p' NEWS >"$scratch/versions"
+result "NEWS names two versions or more" test "$(wc -l <"$scratch/versions")" -ge 2
+test ! -d debian ||
+	result "debian/changelog names those of NEWS" sh -c "sed -n 's/^matvib (\([^)]*\)-1).*/\1/p' debian/changelog | diff '$scratch/versions' -"
+result "the metainfo names those of NEWS" sh -c "sed -n 's/.*<release version=\"\([^\"]*\).*/\1/p' data/*.metainfo.xml | diff '$scratch/versions' -"
+mistakes() { "$MATVIB" params bar | sed -n "s/^  $1\.mistake .*one of \([0-9]*\):.*/\1/p"; }
+result "NEWS counts the mistakes" grep -q ": $(mistakes mpm) mistakes of the bar .* and $(mistakes pd) of bonds;" NEWS
+
 if command -v codespell >/dev/null 2>&1; then
 	result "no word is misspelt" codespell -L "$(tr '\n' ',' <tests/words)" src man/*.in data README.md NEWS CONTRIBUTING.md doc tools python
 else
