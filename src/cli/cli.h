@@ -52,7 +52,6 @@ int cli_describe(const char *scenario, Status *);                       /* its t
 int cli_list_lessons(void);                                             /* what `lesson --list` prints */
 int cli_lesson_handout(const Options *, const char *student, Status *); /* what `lesson --handout` writes */
 int cli_lesson_print(const char *name, Status *);                       /* what `lesson --print` prints */
-int cli_grade_key(const Options *, Status *);                           /* what `grade --key` prints */
 int cli_show(Options *, Status *);
 int cli_params(Options *, Status *);
 

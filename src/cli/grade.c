@@ -338,37 +338,6 @@ static bool may_write(const Options *options, Status *status)
            cli_outputs_differ(outputs, 3, status);
 }
 
-int cli_grade(Options *options, Status *status)
-{
-    Marking marking = {.refused = 0};
-    if (options->key)
-        return cli_grade_key(options, status);
-    if ((options->name && !status_refuse(status, "--name: goes with --key")) ||
-        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) || !may_write(options, status) ||
-        !lesson_load(options->words[0], command_line_for_lessons, &marking.lesson, status))
-        return (int)status->code;
-    if (options->roster && !roster_read(options->roster, &marking.students, status)) {
-        lesson_free(&marking.lesson);
-        students_free(&marking.students);
-        return (int)status->code;
-    }
-    marking.dialect = options->outputs.dialect;
-    marking.sessions = options->n_words - 1;
-    progress_begin(&marking.progress, options->quiet);
-    marking.task.lesson = options->words[0];
-    marking.task.seconds = options->limit > 0 ? options->limit : SECONDS;
-    marking.task.threads = progress_threads(options->threads);
-    marking.task.cancel = (Cancel){go_on, &marking};
-    bool sound = write_all(&marking, options, status);
-    progress_end(&marking.progress);
-    lesson_free(&marking.lesson);
-    sound = sound && !progress_signal();
-    if (sound && marking.refused > 0)
-        sound = status_fail(status, "%d of %d sessions have no marks (see the remarks)", marking.refused,
-                            marking.sessions);
-    return progress_result(sound, status);
-}
-
 /* `matvib grade --key LESSON`: the right answers of a lesson's exercises, for the teacher. */
 
 #define KEY_SECONDS 3600.0 /* that the right answer of an exercise may take */
@@ -413,7 +382,8 @@ static bool is_for_key(const Options *options, Status *status)
     return true;
 }
 
-int cli_grade_key(const Options *options, Status *status)
+/* What `grade --key` prints. */
+static int grade_key(const Options *options, Status *status)
 {
     const char *name = options->words[0];
     char student[STUDENT_MAX] = "";
@@ -450,4 +420,35 @@ int cli_grade_key(const Options *options, Status *status)
     free(grades);
     lesson_free(&lesson);
     return progress_result(sound && !progress_signal(), status);
+}
+
+int cli_grade(Options *options, Status *status)
+{
+    Marking marking = {.refused = 0};
+    if (options->key)
+        return grade_key(options, status);
+    if ((options->name && !status_refuse(status, "--name: goes with --key")) ||
+        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) || !may_write(options, status) ||
+        !lesson_load(options->words[0], command_line_for_lessons, &marking.lesson, status))
+        return (int)status->code;
+    if (options->roster && !roster_read(options->roster, &marking.students, status)) {
+        lesson_free(&marking.lesson);
+        students_free(&marking.students);
+        return (int)status->code;
+    }
+    marking.dialect = options->outputs.dialect;
+    marking.sessions = options->n_words - 1;
+    progress_begin(&marking.progress, options->quiet);
+    marking.task.lesson = options->words[0];
+    marking.task.seconds = options->limit > 0 ? options->limit : SECONDS;
+    marking.task.threads = progress_threads(options->threads);
+    marking.task.cancel = (Cancel){go_on, &marking};
+    bool sound = write_all(&marking, options, status);
+    progress_end(&marking.progress);
+    lesson_free(&marking.lesson);
+    sound = sound && !progress_signal();
+    if (sound && marking.refused > 0)
+        sound = status_fail(status, "%d of %d sessions have no marks (see the remarks)", marking.refused,
+                            marking.sessions);
+    return progress_result(sound, status);
 }

@@ -65,6 +65,13 @@ bool batch_check_energy(Simulation *sim, Growth *growth, const GrowthNow *now, S
     return true;
 }
 
+/* Where a batch of steps began, besides what was kept. */
+typedef struct BatchMark {
+    long step;
+    int n_events;
+    EventCounts events_beyond;
+} BatchMark;
+
 static BatchMark mark_of(Simulation *sim, const Batches *batches)
 {
     batches->keep(sim);
@@ -72,7 +79,7 @@ static BatchMark mark_of(Simulation *sim, const Batches *batches)
 }
 
 /* Undoes everything since the mark. */
-void batch_return(Simulation *sim, const Batches *batches, BatchMark mark)
+static void batch_return(Simulation *sim, const Batches *batches, BatchMark mark)
 {
     sim->step = mark.step;
     batches->put_back(sim);

@@ -44,15 +44,6 @@ typedef struct Batches {
     bool (*steps)(Simulation *, long count, double *rows, Status *);
 } Batches;
 
-/* Where a batch of steps began, besides what was kept; and back there. */
-typedef struct BatchMark {
-    long step;
-    int n_events;
-    EventCounts events_beyond;
-} BatchMark;
-
-void batch_return(Simulation *, const Batches *, BatchMark);
-
 /* Method.steps. */
 bool batch_steps(Simulation *, const Batches *, long count, double *rows, long *done, Status *);
 

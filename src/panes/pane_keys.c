@@ -237,6 +237,51 @@ static int draw_notice(Area bar, int y, const char *text, Style style)
     return rows;
 }
 
+/* --- the scenarios to choose from ----------------------------------------------------------------- */
+
+static int widest(const ScenarioList *list, bool of_titles)
+{
+    int width = 0;
+    for (int i = 0; i < list->n_shown; i++) {
+        const int entry = list->shown[i];
+        const int columns =
+            glyphs_columns(of_titles ? list->entries[entry].title : list->entries[entry].name);
+        width = columns > width ? columns : width;
+    }
+    return width;
+}
+
+/* On as many rows as there are and fit, above row `bottom`. */
+static void pane_scenarios(const ScenarioList *list, Area area, int bottom)
+{
+    const int names = widest(list, false), width = area.rect.width;
+    const bool beside = 1 + names + 2 + widest(list, true) + 1 <= width;
+    const char *chosen = list->chosen >= 0 ? list->entries[list->shown[list->chosen]].title : "";
+    const int below = !beside && *chosen ? area_paragraph_lines(width - 2, chosen) : 0;
+    const int room = bottom - 1 - below; /* the title line stays */
+    const int rows = list->n_shown < room ? list->n_shown : room;
+    if (rows < 1)
+        return;
+    int first = (list->chosen >= 0 ? list->chosen : list->open) - rows / 2;
+    first = first > list->n_shown - rows ? list->n_shown - rows : first;
+    first = first > 0 ? first : 0;
+    for (int row = 0; row < rows; row++) {
+        const int i = first + row, y = bottom - below - rows + row, entry = list->shown[i];
+        const Style style = i == list->chosen ? STYLE_SELECTED : STYLE_TITLE;
+        area_blank(area, 0, width, y, style);
+        area_text(area, 0, y, i == list->open ? ">" : "", style);
+        area_text(area, 1, y, list->entries[entry].name, style);
+        if (beside)
+            area_text(area, 1 + names + 2, y, list->entries[entry].title, style);
+        const bool more_above = row == 0 && first > 0, more_below = row == rows - 1 && i < list->n_shown - 1;
+        if (more_above || more_below)
+            area_text_right(area, width - 1, y, more_above ? "↑" : "↓", style);
+    }
+    for (int y = bottom - below; y < bottom; y++)
+        area_blank(area, 0, width, y, STYLE_TITLE);
+    area_paragraph(area, 1, bottom - below, width - 2, below, chosen, STYLE_TITLE);
+}
+
 static void draw_prompt(const Screen *screen, Area area)
 {
     const Prompt *prompt = screen->prompt;
@@ -300,48 +345,4 @@ void pane_keys(const Screen *screen, Area area)
     if (screen->offers_lesson && !screen_is_plain(screen))
         draw_notice(area, -1, "First time here?  Enter begins the first lesson.  Any other key goes on.",
                     STYLE_SELECTED);
-}
-
-/* --- the scenarios to choose from ----------------------------------------------------------------- */
-
-static int widest(const ScenarioList *list, bool of_titles)
-{
-    int width = 0;
-    for (int i = 0; i < list->n_shown; i++) {
-        const int entry = list->shown[i];
-        const int columns =
-            glyphs_columns(of_titles ? list->entries[entry].title : list->entries[entry].name);
-        width = columns > width ? columns : width;
-    }
-    return width;
-}
-
-void pane_scenarios(const ScenarioList *list, Area area, int bottom)
-{
-    const int names = widest(list, false), width = area.rect.width;
-    const bool beside = 1 + names + 2 + widest(list, true) + 1 <= width;
-    const char *chosen = list->chosen >= 0 ? list->entries[list->shown[list->chosen]].title : "";
-    const int below = !beside && *chosen ? area_paragraph_lines(width - 2, chosen) : 0;
-    const int room = bottom - 1 - below; /* the title line stays */
-    const int rows = list->n_shown < room ? list->n_shown : room;
-    if (rows < 1)
-        return;
-    int first = (list->chosen >= 0 ? list->chosen : list->open) - rows / 2;
-    first = first > list->n_shown - rows ? list->n_shown - rows : first;
-    first = first > 0 ? first : 0;
-    for (int row = 0; row < rows; row++) {
-        const int i = first + row, y = bottom - below - rows + row, entry = list->shown[i];
-        const Style style = i == list->chosen ? STYLE_SELECTED : STYLE_TITLE;
-        area_blank(area, 0, width, y, style);
-        area_text(area, 0, y, i == list->open ? ">" : "", style);
-        area_text(area, 1, y, list->entries[entry].name, style);
-        if (beside)
-            area_text(area, 1 + names + 2, y, list->entries[entry].title, style);
-        const bool more_above = row == 0 && first > 0, more_below = row == rows - 1 && i < list->n_shown - 1;
-        if (more_above || more_below)
-            area_text_right(area, width - 1, y, more_above ? "↑" : "↓", style);
-    }
-    for (int y = bottom - below; y < bottom; y++)
-        area_blank(area, 0, width, y, STYLE_TITLE);
-    area_paragraph(area, 1, bottom - below, width - 2, below, chosen, STYLE_TITLE);
 }

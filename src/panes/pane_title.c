@@ -96,7 +96,9 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
         snprintf(out, size, "PAUSED");
 }
 
-void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
+/* The time of the run with so many decimals less than the step has, but with two at least where it has them.
+ */
+static void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
 {
     screen_time_text(screen, experiment_time(screen->experiment), out, size);
     char *point = strchr(out, '.');

@@ -75,9 +75,6 @@ int pane_runs(const Screen *, Area);
 int pane_runs_rows(const Screen *); /* how many it would like */
 void help_draw(const Screen *, Area);
 
-/* The scenarios to choose from, on as many rows as there are and fit, above row `bottom`. */
-void pane_scenarios(const ScenarioList *, Area, int bottom);
-
 /* A text under edit in its field, with the cursor of the terminal. */
 void pane_field(Area field, const char *text, int cursor);
 

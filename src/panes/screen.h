@@ -210,10 +210,6 @@ bool screen_is_focused(const Screen *, PaneId);
 bool screen_is_running(const Screen *);
 bool screen_is_rewound(const Screen *); /* more has been computed than is shown */
 
-/* The time of the run with so many decimals less than the step has, but with two at least where it has them.
- */
-void screen_shorter_time(const Screen *, int less, char *out, size_t size);
-
 /* What is settled by the problem of the run shown, its units above all. */
 const Problem *screen_problem(const Screen *);
 

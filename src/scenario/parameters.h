@@ -222,7 +222,6 @@ typedef struct Asked {
     RowPlace place;
 } Asked;
 int settings_asked(const Settings *, Asked out[ASKED_MAX]);
-bool settings_check_asked(const Settings *, Status *);
 
 /* What a scenario asks about: its question.key, or what its method leaves open. NULL: nothing. */
 const Parameter *settings_question(const Settings *);

@@ -90,6 +90,26 @@ bool settings_change(Settings *settings, const char *key, const char *text, Stat
     return true;
 }
 
+static bool settings_check_asked(const Settings *settings, Status *status)
+{
+    const char *list = settings_view(settings)->ask;
+    char key[KEY_MAX];
+    for (int n = 0; text_next_item(&list, key, sizeof key); n++) {
+        const Parameter *parameter = parameter_find(key);
+        RowPlace place;
+        if (!parameter && settings_row_is_key(settings, key)) {
+            if (!settings_row_asked(settings, key, &place, status))
+                return false;
+        } else if (!parameter || !parameter_applies(parameter, settings->problem))
+            return status_refuse(status,
+                                 "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
+                                 settings->problem->word, settings->problem->word);
+        if (n == ASKED_MAX)
+            return status_refuse(status, "screen.ask: names too many (at most %d)", ASKED_MAX);
+    }
+    return true;
+}
+
 bool settings_check(const Settings *settings, Status *status)
 {
     if (!problem_allows(settings->problem, settings->method, status) || !check_stated(settings, status) ||
@@ -166,26 +186,6 @@ int settings_asked(const Settings *settings, Asked out[ASKED_MAX])
             out[n++] = (Asked){.parameter = parameter};
     }
     return n;
-}
-
-bool settings_check_asked(const Settings *settings, Status *status)
-{
-    const char *list = settings_view(settings)->ask;
-    char key[KEY_MAX];
-    for (int n = 0; text_next_item(&list, key, sizeof key); n++) {
-        const Parameter *parameter = parameter_find(key);
-        RowPlace place;
-        if (!parameter && settings_row_is_key(settings, key)) {
-            if (!settings_row_asked(settings, key, &place, status))
-                return false;
-        } else if (!parameter || !parameter_applies(parameter, settings->problem))
-            return status_refuse(status,
-                                 "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
-                                 settings->problem->word, settings->problem->word);
-        if (n == ASKED_MAX)
-            return status_refuse(status, "screen.ask: names too many (at most %d)", ASKED_MAX);
-    }
-    return true;
 }
 
 /* Which key is meant by its end or by the words beside its field on screen. */

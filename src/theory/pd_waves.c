@@ -71,7 +71,7 @@ static double of_ring(bool transverse, double y)
     return sum;
 }
 
-/* By Gauss' rule in pieces of a few radians: the integrand is smooth and swings with y. */
+/* By Gauss' rule in pieces of a few radians: the integrand is smooth and oscillates with y. */
 double pd_waves_plane(Influence shape, bool transverse, double z)
 {
     enum { POINTS = 24 };
@@ -96,13 +96,17 @@ double pd_waves_plane(Influence shape, bool transverse, double z)
     return sum / (longest * z * z);
 }
 
-/* A tolerance decides where m or m + 1/2 is whole. */
-double pd_volumes_reach(VolumeCorrection volumes, double m)
+/* How the nodes of a lattice represent volume, lengths in spacings, m the horizon: whole, |xi| <= m; by the
+ * rule of PDLAMMPS, the same nodes times min(1, m + 1/2 - |xi|); or as Hu, Ha and Bobaru, the same line for
+ * all |xi| < m + 1/2. Source: P. Seleson (2014). The largest |xi| of a neighbour; a tolerance decides where m
+ * or m + 1/2 is whole. */
+static double pd_volumes_reach(VolumeCorrection volumes, double m)
 {
     return volumes == VOLUME_HHB ? (m + 0.5) * (1 - 1e-9) : m * (1 + 1e-9);
 }
 
-double pd_volumes_factor(VolumeCorrection volumes, double m, double length)
+/* The factor of a neighbour's volume. */
+static double pd_volumes_factor(VolumeCorrection volumes, double m, double length)
 {
     ASSERT_REAL(m, >, 0);
     return volumes == VOLUME_NONE ? 1 : fmin(1, m + 0.5 - length);

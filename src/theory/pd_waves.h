@@ -17,12 +17,6 @@
 double pd_waves_line(Influence, double z);
 double pd_waves_plane(Influence, bool transverse, double z);
 
-/* How the nodes of a lattice stand for volume, lengths in spacings, m the horizon: whole, |xi| <= m; by the
- * rule of PDLAMMPS, the same nodes times min(1, m + 1/2 - |xi|); or as Hu, Ha and Bobaru, the same line for
- * all |xi| < m + 1/2. Source: P. Seleson (2014). Below: the members' largest |xi|, and the factor of one. */
-double pd_volumes_reach(VolumeCorrection, double m);
-double pd_volumes_factor(VolumeCorrection, double m, double length);
-
 typedef struct PdWaveLattice {
     Influence shape;
     double ratio; /* horizon over spacing */

@@ -149,6 +149,16 @@ static long steps_of(const Laboratory *lab, int run)
                                  : experiment_step(experiment) + (stages_of(lab, run) > 0);
 }
 
+/* Whether who asks may write a file; if not, that is said. */
+static bool exporting_allowed(Laboratory *lab, const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    if (output_allowed(lab->asker, name, &status))
+        return true;
+    laboratory_tell(lab, "%s", status.text);
+    return false;
+}
+
 static bool write_export(Laboratory *lab, bool force)
 {
     char paths[EXPORTS][PATH_BYTES];
@@ -176,6 +186,13 @@ static bool write_export(Laboratory *lab, bool force)
                    stages_of(lab, 0) > 0 ? " after this stage" : "", beside);
     free(whole);
     return true;
+}
+
+/* An answer that is the name of a file: whether it can be one. If not, the prompt stays and says why. */
+static bool exporting_name_fits(Laboratory *lab, const char *name)
+{
+    Status status = {STATUS_DONE, ""};
+    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 static bool export_named(Laboratory *lab, const char *text)
@@ -375,23 +392,6 @@ bool exporting_figure(Laboratory *lab, const char *words)
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
     lab->exporting.view = view;
     return write_or_ask(lab, write_figure, access(name, F_OK) == 0 ? name : "");
-}
-
-/* Writing the scenario as a file, and what every answer that names a file is asked first. */
-
-bool exporting_allowed(Laboratory *lab, const char *name)
-{
-    Status status = {STATUS_DONE, ""};
-    if (output_allowed(lab->asker, name, &status))
-        return true;
-    laboratory_tell(lab, "%s", status.text);
-    return false;
-}
-
-bool exporting_name_fits(Laboratory *lab, const char *name)
-{
-    Status status = {STATUS_DONE, ""};
-    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */

@@ -25,14 +25,7 @@ bool exporting_ask(Laboratory *, const char *name);
 /* "[VIEW] FILE": a view, or else the focused one, as a figure. False: refused, as an answer to a prompt. */
 bool exporting_figure(Laboratory *, const char *words);
 
-/* Writing the scenario as a file, and what every answer that names a file is asked first. */
-
-/* Whether who asks may write a file; if not, that is said. */
-bool exporting_allowed(Laboratory *, const char *name);
-
-/* An answer that is the name of a file: whether it can be one. If not, the prompt stays and says why. */
-bool exporting_name_fits(Laboratory *, const char *name);
-
+/* Writing the scenario as a file. */
 void exporting_scenario_ask(Laboratory *);
 bool exporting_scenario(Laboratory *, const char *text);
 

@@ -56,8 +56,6 @@ bool bodies_hold(const BodyDef *, double x, double y);
 void bodies_note_contact(Mpm *);
 void bodies_note_tear(Mpm *);
 void bodies_note_spin(Mpm *); /* and the sums over steps of a disc that spins alone */
-/* The largest distance of neighbours over that at t = 0, and the particle that it begins at. */
-double bodies_largest_stretch(const Mpm *, int *at);
 /* Walls and contact on nodes [first, end) of the grid. */
 void bodies_fix(Mpm *, MpmOp, int first, int end);
 

@@ -52,7 +52,8 @@ static double squared_stretch(const Mpm *mpm, int p, bool above)
     return (x * x + y * y) / (d * d);
 }
 
-double bodies_largest_stretch(const Mpm *mpm, int *at)
+/* The largest distance of neighbours over that at t = 0, and the particle that it begins at. */
+static double bodies_largest_stretch(const Mpm *mpm, int *at)
 {
     double most = 0.0;
     for (int p = 0; p < mpm->n_particles; p++)

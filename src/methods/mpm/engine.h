@@ -426,10 +426,6 @@ double mpm_mass_between(const Mpm *, int i, int j);
 
 /* --- stages.c, steps.c ------------------------------------------------------------------------------ */
 
-/* The work of a stage on items [first, end), serially; an item is a chunk, or as great a share of the nodes.
- */
-bool mpm_do(Mpm *, MpmTask, int first, int end, Status *);
-void mpm_map_and_fix(Mpm *);
 void mpm_find_held(Mpm *, long step);
 
 bool mpm_stage(Simulation *, int stage, size_t first, size_t end, Status *);
@@ -517,7 +513,6 @@ void mpm_set_series(Mpm *);
 extern const char *const mpm_on_request[];
 double mpm_line_null_energy(const Mpm *); /* null.c */
 
-void mpm_report_crossings(Mpm *);
 bool mpm_fail_particle(Mpm *, Status *, int particle, const char *what);
 
 #endif

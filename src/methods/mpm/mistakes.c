@@ -105,7 +105,8 @@ static bool join(int one, int other, int *out)
     return !one || !other || one == other;
 }
 
-bool bar_mistakes_join(int one, int other, BarMistake *out)
+/* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
+static bool bar_mistakes_join(int one, int other, BarMistake *out)
 {
     const BarMistake *a = mistake_of(one), *b = mistake_of(other);
     int holds, moves;

@@ -84,9 +84,6 @@ const BarMistake *mpm_mistake_if(const Mpm *,
                                  int mistake); /* if that is its one; what it does besides is in it */
 bool mpm_does(const Mpm *, unsigned wrong);    /* whether its code does that (WRONG_...) */
 
-/* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
-bool bar_mistakes_join(int one, int other, BarMistake *out);
-
 /* Whether there is room for what wrong codes keep from step to step: in the plane, where it would be a
  * seventh of the memory, only of a run that begins with a mistake. */
 static inline bool mpm_can_keep(const Mpm *mpm)

@@ -50,7 +50,7 @@ bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
 
 /* The first crossing of a particle is an event; in the plane one event a step, as particles of a lattice
  * cross many at once. */
-void mpm_report_crossings(Mpm *mpm)
+static void mpm_report_crossings(Mpm *mpm)
 {
     const size_t count = (size_t)mpm->n_particles;
     uint8_t *at = mpm->crossed;

@@ -73,7 +73,9 @@ static void do_item(Mpm *mpm, MpmTask task, int item)
     }
 }
 
-bool mpm_do(Mpm *mpm, MpmTask task, int first, int end, Status *status)
+/* The work of a stage on items [first, end), serially; an item is a chunk, or as great a share of the nodes.
+ */
+static bool mpm_do(Mpm *mpm, MpmTask task, int first, int end, Status *status)
 {
     const MpmOp op = task.op;
     ASSERT_INT(first, >=, 0);
@@ -150,7 +152,7 @@ static bool do_all(Mpm *mpm, const MpmTask *tasks, int count, Status *status)
     return true;
 }
 
-void mpm_map_and_fix(Mpm *mpm)
+static void mpm_map_and_fix(Mpm *mpm)
 {
     Status unused; /* neither of them fails */
     do_all(mpm, (MpmTask[]){{OP_MAP, mpm->sim.step}, {OP_FIX, mpm->sim.step}}, 2, &unused);

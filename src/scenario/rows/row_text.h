@@ -16,17 +16,8 @@ void row_write(const RowKind *, const Row *, int digits, char out[ROW_TEXT_MAX])
 /* What a row has that another one has otherwise: "sy 7e+6 until 1e-5". */
 void row_write_difference(const RowKind *, const Row *, const Row *other, char out[ROW_TEXT_MAX]);
 
-/* The plate's length or height: of which a share of such a place is one. `key` (NULL: not wanted): which. */
-double row_whole(const Settings *, const Row *, RowValue, const char **key);
-
 /* Of what a place is: "plate", "box". */
 const char *row_whole_word(const RowKind *);
-
-/* The column of that word; -1: none. */
-int row_column(const RowKind *, const char *word);
-
-/* Fails: there is no row of that name, and the status says which there are. */
-bool row_missing(const Settings *, int kind, const char *name, Status *);
 
 bool row_same(const RowKind *, const Row *a, const Row *b);
 

@@ -92,7 +92,8 @@ bool settings_row_set(Settings *settings, int index, const char *name, const cha
     return true;
 }
 
-bool row_missing(const Settings *settings, int index, const char *name, Status *status)
+/* Fails: there is no row of that name, and the status says which there are. */
+static bool row_missing(const Settings *settings, int index, const char *name, Status *status)
 {
     ASSERT_INDEX(index, ROW_KINDS);
     const RowKind *kind = &row_kinds[index];
@@ -146,7 +147,8 @@ void settings_row_show(const Settings *settings, int kind, int row, char out[ROW
     row_write(&row_kinds[kind], &settings->rows[kind].rows[row], 6, out);
 }
 
-double row_whole(const Settings *settings, const Row *row, RowValue value, const char **key)
+/* The plate's length or height: of which a share of such a place is one. `key` (NULL: not wanted): which. */
+static double row_whole(const Settings *settings, const Row *row, RowValue value, const char **key)
 {
     bool height = value == ROW_ALONG_Y;
     if (value == ROW_ALONG_EDGE)
@@ -208,7 +210,8 @@ static bool cut_key(const char *key, RowKey *out)
            next_part(&key, out->value, sizeof out->value) && !*key;
 }
 
-int row_column(const RowKind *kind, const char *word)
+/* The column of that word; -1: none. */
+static int row_column(const RowKind *kind, const char *word)
 {
     for (int i = 0; i < kind->n_columns; i++)
         if (strcmp(kind->columns[i].word, word) == 0)

@@ -191,8 +191,7 @@ void beam_note_speeds(Beam *beam, int j); /* of row j at the drift ... */
 void beam_add_speeds(Beam *beam);         /* ... and what comes of them, of rows in turn */
 double beam_weight(const Beam *);         /* of a node upwards, N/m^3 */
 void beam_weigh(Beam *beam, int j);       /* adds the weight of row j to its forces, and a definition's own */
-/* Whether rest is looked for at the end of the step of this number; and looks, in a state at its end. */
-bool beam_asks_for_rest(const Beam *beam, long step);
+/* In a state at the end of the step of this number. */
 void beam_look_for_rest(Beam *beam, long step);
 
 /* bonds_step.c */

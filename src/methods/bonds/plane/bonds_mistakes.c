@@ -81,7 +81,7 @@ const BondsMistake *bonds_mistake(const Beam *beam)
     return beam->both ? beam->both : row_of(beam->head->mistake);
 }
 
-bool mistake_does(const BondsMistake *mistake, unsigned wrong)
+static bool mistake_does(const BondsMistake *mistake, unsigned wrong)
 {
     return mistake && (mistake->does & wrong) != 0;
 }
@@ -203,7 +203,8 @@ static void find_in_list(const Lattice *lattice, int i, int j, int p, int q, Bon
     end->to_last = x == p && y == q;
 }
 
-double mistake_share(const BondsMistake *mistake, const BondEnd *end)
+/* Of the pull of a bond what an end gets: 1 by the right code. */
+static double mistake_share(const BondsMistake *mistake, const BondEnd *end)
 {
     double (*const shares[])(const BondEnd *) = {mistake ? mistake->share : NULL,
                                                  mistake ? mistake->share_beside : NULL};

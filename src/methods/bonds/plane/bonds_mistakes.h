@@ -71,13 +71,9 @@ bool bonds_does(const Beam *, unsigned wrong);
 double bonds_kick_share(Stepping, const BondsMistake *, bool second, long step);
 
 /* That of a number and a second one (0: none); `room` holds what is wrong in two places, worded as the first
- * of them. Whether it does that. */
+ * of them. */
 const BondsMistake *bonds_mistake_of(int mistake, int beside, BondsMistake *room);
-bool mistake_does(const BondsMistake *, unsigned wrong);
 bool bonds_does_by(const BeamDef *, unsigned wrong);
-
-/* Of the pull of a bond what an end gets: 1 by the right code. */
-double mistake_share(const BondsMistake *, const BondEnd *);
 
 /* A code that is wrong in two places. False: no such two mistakes go together. */
 bool bonds_mistakes_join(int one, int other, BondsMistake *);
