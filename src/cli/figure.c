@@ -168,6 +168,19 @@ static bool refine(Convergence *convergence, const Screen *screen, const View *v
     return true;
 }
 
+/* Whether the file can hold what the view shows at the start, before any run. What has nothing to show yet is
+ * judged when it is written. */
+static bool suits(const Options *options, const Screen *screen, const View *view, Status *status)
+{
+    Status why = {STATUS_DONE, ""};
+    Figure figure;
+    figure_open(&figure, options->size[0], options->size[1]);
+    const bool sound = view_study(view, screen) || !figure_add(&figure, screen, view, 1, &why) ||
+                       figure_suits(&figure, options->output, status);
+    figure_close(&figure);
+    return sound;
+}
+
 static bool draw(const Options *options, const Settings *settings, const Settings *others,
                  Experiment *experiment, Screen *screen, Progress *progress, Status *status)
 {
@@ -181,6 +194,7 @@ static bool draw(const Options *options, const Settings *settings, const Setting
     if (sound && frames.count > FIGURE_PANELS_MAX)
         sound = status_refuse(status, "a page has room for %d pictures, not %zu", FIGURE_PANELS_MAX,
                               frames.count);
+    sound = sound && suits(options, screen, view, status);
     if (sound && options->against.count > 0 && frames.count > 1)
         sound = status_refuse(status, "--against: is for one picture, not for several times");
     if (sound && options->against.count > 0)

@@ -414,10 +414,20 @@ double figure_enlargement(const Figure *figure, bool *differ)
     return least;
 }
 
+bool figure_suits(const Figure *figure, const char *name, Status *status)
+{
+    const Format format = format_of(name);
+    for (int i = 0; i < figure->count && (format == FORMAT_TEX || format == FORMAT_GP); i++)
+        if (figure->panels[i]->picture.kind > PICTURE_PATH)
+            return status_refuse(status, "%s: has no curves for LaTeX or gnuplot (FILE.svg, .pdf or .png)",
+                                 figure->panels[i]->picture.heading);
+    return figure_allowed(name, status);
+}
+
 bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Status *status)
 {
     OutputFile file;
-    if (!figure_allowed(name, status) || !output_open(&file, asker, name, force, status))
+    if (!figure_suits(figure, name, status) || !output_open(&file, asker, name, force, status))
         return false;
     /* What is compared is drawn to one measure. */
     double low = INFINITY, high = -INFINITY;
@@ -434,10 +444,10 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
     const double width = figure->width * MILLIMETRES,
                  height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
     const Format format = format_of(name);
-    if (format == FORMAT_TEX || format == FORMAT_GP)
-        return output_end(
-            &file, figure_write_source(figure, format == FORMAT_TEX, columns_of(figure), file.stream, status),
-            status);
+    if (format == FORMAT_TEX || format == FORMAT_GP) {
+        figure_write_source(figure, format == FORMAT_TEX, columns_of(figure), file.stream);
+        return output_end(&file, true, status);
+    }
     Paper *paper = format == FORMAT_SVG   ? paper_svg(file.stream, width, height, figure->title, status)
                    : format == FORMAT_PDF ? paper_pdf(file.stream, width, height, figure->title, status)
                                           : paper_png(file.stream, width, height, status);

@@ -52,11 +52,13 @@ bool figure_add(Figure *, const Screen *, const View *, int panels, Status *);
  * 0: there are no maps. */
 double figure_enlargement(const Figure *, bool *differ);
 
+/* Whether a file of that name can hold the figure: LaTeX and gnuplot draw curves alone. */
+bool figure_suits(const Figure *, const char *file, Status *);
+
 /* Draws the page, whole or not at all. Maps of one field share the range of their colours. */
 bool figure_write(Figure *, Asker, const char *file, bool force, Status *);
 
-/* plot_source.c: the panels in so many columns as a file to \input in LaTeX (`tex`), or a script of gnuplot.
- * False: one of them has no curves; nothing is written. */
-bool figure_write_source(const Figure *, bool tex, int columns, FILE *, Status *);
+/* plot_source.c: the panels in so many columns as a file to \input in LaTeX (`tex`), or a script of gnuplot. */
+void figure_write_source(const Figure *, bool tex, int columns, FILE *);
 
 #endif

@@ -364,12 +364,7 @@ static void write_gnuplot(FILE *out, const Figure *figure, int columns)
     fputs(figure->count > 1 ? "unset multiplot\n" : "", out);
 }
 
-bool figure_write_source(const Figure *figure, bool tex, int columns, FILE *out, Status *status)
+void figure_write_source(const Figure *figure, bool tex, int columns, FILE *out)
 {
-    for (int i = 0; i < figure->count; i++)
-        if (figure->panels[i]->picture.kind > PICTURE_PATH)
-            return status_refuse(status, "%s: has no curves for LaTeX or gnuplot (FILE.svg, .pdf or .png)",
-                                 figure->panels[i]->picture.heading);
     (tex ? write_tex : write_gnuplot)(out, figure, columns);
-    return true;
 }
