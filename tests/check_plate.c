@@ -42,7 +42,7 @@ START_TEST(slices_of_any_size_are_the_same)
 }
 END_TEST
 
-START_TEST(the_lattice_swings_as_predicted)
+START_TEST(the_lattice_oscillates_as_predicted)
 {
     Simulation *sim = plate_create(42, 14, 0);
     double omega = plate_frequency(42, 14, sim->dt), row[4], start[4];
@@ -203,7 +203,7 @@ void add_cases(Suite *suite)
 {
     TCase *tcase = tcase_create("plate");
     tcase_add_test(tcase, slices_of_any_size_are_the_same);
-    tcase_add_test(tcase, the_lattice_swings_as_predicted);
+    tcase_add_test(tcase, the_lattice_oscillates_as_predicted);
     tcase_add_test(tcase, an_experiment_takes_it_as_it_is);
     tcase_add_test(tcase, a_failure_in_mid_step_leads_back_to_a_whole_one);
     tcase_add_test(tcase, tables_are_written_of_it);

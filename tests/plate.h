@@ -16,7 +16,7 @@ enum { PLATE_COLUMNS = 420, PLATE_ROWS = 140 }; /* 58,800 nodes, as the notched 
 /* At least 3 x 3 nodes; the step at which it is to fail by itself, 0: never. NULL: no memory. */
 Simulation *plate_create(int columns, int rows, long fails_at);
 
-/* The frequency at which the lattice (with its time step) swings. */
+/* The frequency at which the lattice (with its time step) oscillates. */
 double plate_frequency(int columns, int rows, double dt);
 
 #endif

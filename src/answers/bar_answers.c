@@ -13,7 +13,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "theory/swing.h"
+#include "theory/oscillation.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -152,8 +152,8 @@ static bool moves_centre(const BarTheory *theory, int mode)
 }
 
 /* By symmetry the centre of mass may stand still, or move evenly: then the strain energy is watched. It
- * swings twice in a period of a mode; under a load that pulls from rest it never turns its sign, and swings
- * once. */
+ * oscillates twice in a period of a mode; under a load that pulls from rest it never turns its sign, and
+ * oscillates once. */
 BarWatch bar_watch(const BarTheory *theory)
 {
     BarWatch watch = {.column = "v_cm", .times = 1, .kept = NAN, .overlap = 1};
@@ -244,8 +244,8 @@ static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes
 }
 
 /* Under a load, or with several modes in motion, the column is no pure cosine: its other lines are fitted
- * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy swings twice as
- * fast as each mode, and under a load as fast as it too. */
+ * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy oscillates twice
+ * as fast as each mode, and under a load as fast as it too. */
 static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory *theory,
                       BarFrequency *frequency)
 {
@@ -259,9 +259,9 @@ static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory
         double ratio = of_mesh > 0 ? frequency(settings, theory, modes[i]) / of_mesh
                                    : bar_frequency(theory, modes[i]) / watch->exact;
         for (int times = 1; times <= 2; times++) {
-            const bool swings = squares ? times == 2 || is_loaded(theory) : times == 1;
+            const bool oscillates = squares ? times == 2 || is_loaded(theory) : times == 1;
             const bool first = i == 0 && times == (int)watch->times;
-            if (swings && !first && ratio > 0 && watch->n_lines < FREQUENCY_LINES_MAX)
+            if (oscillates && !first && ratio > 0 && watch->n_lines < FREQUENCY_LINES_MAX)
                 watch->ratios[watch->n_lines++] = ratio * times / watch->times;
         }
     }
@@ -361,11 +361,12 @@ void bar_read_out(const References *refs, const double *rows, size_t n_rows, int
     readout_fit(rows, n_rows, n_columns, column, expected, watch->ratios, watch->n_lines, out);
     /* without the first row: what the particles are given is not yet what comes back from the grid; beside
      * the middle of their shares they start in many modes, of which v_cm shows the lowest ones best */
-    Swing swing;
+    Oscillation oscillation;
     if (n_rows > 2 && watch->n_lines == 1 && bar_answers(refs)->mesh.offset == 0 &&
-        swing_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
-                  rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1, &swing))
-        out->kept_measured = swing_kept(swing.decay, watch->exact);
+        oscillation_fit(rows + n_columns + column, (size_t)n_columns, n_rows - 1,
+                        rows[(size_t)n_columns + 1] - rows[1], expected / watch->times, watch->times > 1,
+                        &oscillation))
+        out->kept_measured = oscillation_kept(oscillation.decay, watch->exact);
 }
 
 bool bar_prediction_is_whole(int before, double count, const char *parts, Status *status)

@@ -162,7 +162,7 @@ int bar_findings(const References *refs, const Simulation *sim, Finding out[FIND
                              NULL,
                              NULL};
         out[n++] = (Finding){"lag",
-                             "late by cells",
+                             "cells behind",
                              delay_of(&sample) * bar_wave_speed(theory) / bar_answers(refs)->mesh.cell_size,
                              0,
                              NULL,

@@ -9,7 +9,7 @@
 #include "scenario/settings.h"
 #include "base/math/functions.h"
 #include "theory/elastic_beam.h"
-#include "theory/swing.h"
+#include "theory/oscillation.h"
 
 #include <limits.h>
 #include <math.h>
@@ -202,7 +202,7 @@ double beam_supported_section(const References *refs, const char *field, double 
 }
 
 /* Whether it comes back often enough to be measured: a beam that is braked almost critically does not. */
-static bool swings(const BeamAnswers *beam)
+static bool oscillates(const BeamAnswers *beam)
 {
     const double most = 0.9,
                  slowest = fmax(beam->timoshenko, beam->body.predicted); /* NAN counts for nothing */
@@ -215,11 +215,11 @@ static void read_damped(const References *refs, const double *rows, size_t n_row
 {
     const double expected = out->predicted_known ? out->predicted : out->real_size;
     out->decay_exact = own(refs)->body.damping / 2;
-    out->kept_predicted = swing_kept(out->decay_exact, 2 * M_PI / out->exact);
+    out->kept_predicted = oscillation_kept(out->decay_exact, 2 * M_PI / out->exact);
     readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
                 out);
     if (isfinite(out->decay_measured))
-        out->kept_measured = swing_kept(out->decay_measured, 2 * M_PI / out->exact);
+        out->kept_measured = oscillation_kept(out->decay_measured, 2 * M_PI / out->exact);
 }
 
 /* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
@@ -232,7 +232,7 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
     const BeamAnswers *beam = own(refs);
     const double damping = beam->body.damping;
     out->exact = beam_damped_period(beam->timoshenko, damping);
-    out->moving = (beam->theory.amplitude != 0 || beam->body.weight != 0) && swings(beam);
+    out->moving = (beam->theory.amplitude != 0 || beam->body.weight != 0) && oscillates(beam);
     if (!out->moving)
         return;
     out->exact_known = true;

@@ -91,7 +91,7 @@ static bool fill_error(const Standing *run, char *label, char *value)
 static bool fill_late(const Standing *run, char *label, char *value)
 {
     const Readout *readout = run->readout;
-    snprintf(label, COMPARISON_TEXT_MAX, "late, periods");
+    snprintf(label, COMPARISON_TEXT_MAX, "periods behind");
     return readout->moving && readout->measured_known && isfinite(readout->late) &&
            put(value, "%.2f", readout->late);
 }

@@ -27,7 +27,7 @@ typedef struct ModeFactor {
 struct ModeOnMesh {
     double exact;     /* omega_n of the continuum, radians per unit time */
     double predicted; /* of this mesh and time step, away from the ends; NAN: such a wave does
-                       * not swing */
+                       * not oscillate */
     int n_factors;
     ModeFactor factors[MODE_FACTORS_MAX];
 };
@@ -40,7 +40,8 @@ int dispersion_modes(const Settings *);
 bool dispersion_mode(const Settings *, int number, ModeOnMesh *);
 
 /* The same mode by other ways of the method on this very mesh, to be compared: the name of the way (which =
- * 0, 1, ...) and its predicted frequency, NAN where such a wave does not swing. NULL: there is none more. */
+ * 0, 1, ...) and its predicted frequency, NAN where such a wave does not oscillate. NULL: there is none more.
+ */
 const char *dispersion_other_way(const Settings *, int which, int number, double *frequency);
 
 /* Waves in the plane of bonds far from surfaces: how fast they run by their length, their direction to the

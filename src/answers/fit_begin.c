@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where a fit may begin (fit_search.h).
  *
- * Of run and data that swing, with omega_s ~ p_i^e from two runs, at the p_i whose omega_s is
+ * Of run and data that oscillate, with omega_s ~ p_i^e from two runs, at the p_i whose omega_s is
  * the data's, however far that is; at its aliases |2 pi j/Delta +- omega|, which data whose neighbours are
  * Delta apart cannot tell from it, up to FARTHEST times the frequency of the first run; and at those that
- * differ from each by one swing over the record, between which chi^2 has a minimum each. Then at some shares
- * and multiples of each p_i. */
+ * differ from each by one oscillation over the record, between which chi^2 has a minimum each. Then at some
+ * shares and multiples of each p_i. */
 #include "answers/fit_internal.h"
 #include "scenario/settings.h"
 #include "base/math/functions.h"
@@ -16,10 +16,10 @@
 
 enum { EVEN = 2048 }; /* points over the record, to find frequencies */
 
-#define NUDGE    1.02 /* of a parameter, to see what it does to the frequency */
-#define WEAKEST  0.2  /* power of a parameter with which the frequency goes, to be of use */
-#define SWINGS   0.5  /* what may be left of a record beside one line, over its amplitude */
-#define FARTHEST 3    /* ratio of frequencies between which aliases are looked at */
+#define NUDGE      1.02 /* of a parameter, to see what it does to the frequency */
+#define WEAKEST    0.2  /* power of a parameter with which the frequency goes, to be of use */
+#define OSCILLATES 0.5  /* what may be left of a record beside one line, over its amplitude */
+#define FARTHEST   3    /* ratio of frequencies between which aliases are looked at */
 
 static const double multiples[MULTIPLES] = {0.6, 0.8, 1.25, 1.6};
 
@@ -36,18 +36,18 @@ static void begin_at(Beginning *list, int *count, int key, double factor, bool a
         list[(*count)++] = (Beginning){key, factor, INFINITY, alias};
 }
 
-/* The frequency of what swings over the record, at even times; 0: it does not. */
-static double swings_at(const Search *search, const double *values, size_t count)
+/* The frequency of what oscillates over the record, at even times; 0: it does not. */
+static double frequency_at(const Search *search, const double *values, size_t count)
 {
     const FitTask *task = search->task;
     const double span = task->times[task->count - 1] - task->times[0];
     FrequencyFit fit;
     const bool found = span > 0 && frequency_fit(values, count, 0, span / (double)(count - 1), 0, &fit, NULL);
-    return found && fit.residual < SWINGS ? fit.frequency : 0;
+    return found && fit.residual < OSCILLATES ? fit.frequency : 0;
 }
 
 /* That of the data, taken linearly between them. */
-static double swings_of_data(const Search *search)
+static double frequency_of_data(const Search *search)
 {
     const FitTask *task = search->task;
     const size_t count = task->count < EVEN ? task->count : EVEN;
@@ -61,11 +61,11 @@ static double swings_of_data(const Search *search)
         const double share = apart > 0 ? (time - task->times[i]) / apart : 0;
         even[k] = task->values[i] + share * (task->values[i + 1] - task->values[i]);
     }
-    return swings_at(search, even, count);
+    return frequency_at(search, even, count);
 }
 
-/* omega_s with one parameter at a multiple; 0: it does not swing, or no run can be made. */
-static double swings_of_run(Search *search, int key, double factor)
+/* omega_s with one parameter at a multiple; 0: it does not oscillate, or no run can be made. */
+static double frequency_of_run(Search *search, int key, double factor)
 {
     const FitTask *task = search->task;
     const double first = task->times[0], span = task->times[task->count - 1] - first;
@@ -75,24 +75,24 @@ static double swings_of_run(Search *search, int key, double factor)
         times[k] = first + span * (double)k / (EVEN - 1);
     const bool sound =
         place_one(search, key, factor, &settings) && fit_run(search, &settings, times, even, EVEN);
-    return sound ? swings_at(search, even, EVEN) : 0;
+    return sound ? frequency_at(search, even, EVEN) : 0;
 }
 
-/* The values of one parameter at which the run swings as the data do, or as they cannot tell from it. */
+/* The values of one parameter at which the run oscillates as the data do, or as they cannot tell from it. */
 static void find_aliases(Search *search, int key, double own, double wanted, Beginning *list, int *count)
 {
     const FitTask *task = search->task;
-    const double nudged = swings_of_run(search, key, NUDGE);
+    const double nudged = frequency_of_run(search, key, NUDGE);
     const double power = nudged > 0 ? math_log(nudged / own) / math_log(NUDGE) : 0;
     if (fabs(power) < WEAKEST)
         return;
     const double span = task->times[task->count - 1] - task->times[0];
-    const double fold = 2 * M_PI * (double)(task->count - 1) / span, swing = 2 * M_PI / span;
+    const double fold = 2 * M_PI * (double)(task->count - 1) / span, oscillation = 2 * M_PI / span;
     const int before = *count;
     for (int j = 0; fold * j - wanted < FARTHEST * own && *count - before < ALIASES_MAX; j++)
         for (int side = j > 0 ? -1 : 1; side <= 1; side += 2)
             for (int beside = -1; beside <= 1; beside++) {
-                const double omega = fold * j + side * wanted + beside * swing;
+                const double omega = fold * j + side * wanted + beside * oscillation;
                 if (omega > 0 && (j == 0 || (omega > own / FARTHEST && omega < own * FARTHEST)) &&
                     *count - before < ALIASES_MAX)
                     begin_at(list, count, key, math_pow(omega / own, 1 / power), beside == 0);
@@ -113,8 +113,8 @@ int fit_beginnings(Search *search, Beginning list[BEGINNINGS_MAX])
         return 0;
     search->began = true;
     search->result->rms_before = sqrt(fit_chi2(search) / (double)task->count);
-    const double start = fit_chi2(search), wanted = swings_of_data(search);
-    const double own = wanted > 0 ? swings_of_run(search, 0, 1) : 0;
+    const double start = fit_chi2(search), wanted = frequency_of_data(search);
+    const double own = wanted > 0 ? frequency_of_run(search, 0, 1) : 0;
     begin_at(list, &count, 0, 1, false);
     for (int key = 0; key < task->n_keys && own > 0; key++)
         find_aliases(search, key, own, wanted, list, &count);

@@ -27,7 +27,7 @@ double fit_chi2(const Search *);                  /* of the run that is made */
 typedef struct Beginning {
     int key;
     double factor, chi2; /* of what it is in the settings */
-    bool alias;          /* the run swings there as the data do, or as they cannot tell from it */
+    bool alias;          /* the run oscillates there as the data do, or as they cannot tell from it */
 } Beginning;
 
 enum {

@@ -300,7 +300,7 @@ static bool is_searched(const Search *search, const Beginning *from)
 }
 
 /* From one beginning after the other, until what is left looks like noise, and from each alias of what the
- * data swing with; one more run at the best p. */
+ * data oscillate with; one more run at the best p. */
 static bool search_best(Search *search, Space *space, Status *status)
 {
     const FitTask *task = search->task;

@@ -8,11 +8,11 @@
  * has come to rest s stays what it was there. All data weigh alike. By the Levenberg-Marquardt method of GSL,
  * the derivatives by central differences of runs, parameters relative to where they begin.
  *
- * chi^2 of what swings has a minimum for each number of swings by which run and data may differ. The search
- * therefore looks first at other beginnings, begins where chi^2 is least, and again elsewhere as long as what
- * is left does not look like noise; and at each alias of the data's frequency. Minima whose chi^2 is larger
- * by no more than noise makes of one parameter are told. That finds the best of some minima, not surely the
- * least of all. */
+ * chi^2 of what oscillates has a minimum for each number of oscillations by which run and data may differ.
+ * The search therefore looks first at other beginnings, begins where chi^2 is least, and again elsewhere as
+ * long as what is left does not look like noise; and at each alias of the data's frequency. Minima whose
+ * chi^2 is larger by no more than noise makes of one parameter are told. That finds the best of some minima,
+ * not surely the least of all. */
 #ifndef ANSWERS_FIT_SEARCH_H
 #define ANSWERS_FIT_SEARCH_H
 

@@ -50,8 +50,8 @@ double references_profile(const References *, const char *field, double x, doubl
 /* The same at a place of a beam's section, of a stress; y as the particles' places have it. */
 double references_section(const References *, const char *field, double x, double y, double time);
 
-/* How far a column of a beam that comes out of its channel swings at a time, by slow lengthening alone (its
- * action is kept): displacement as L^(1/2), velocity as L^(-3/2). NAN: not such a column. */
+/* How far a column of a beam that comes out of its channel oscillates at a time, by slow lengthening alone
+ * (its action is kept): displacement as L^(1/2), velocity as L^(-3/2). NAN: not such a column. */
 double references_envelope(const References *, const char *column, double time);
 
 enum { THICKNESS_LINES_MAX = 6 };
@@ -75,26 +75,26 @@ struct Readout {
     bool measured_known, predicted_known, exact_known;
     bool is_period; /* the three numbers are periods, not frequencies */
     double measured, predicted, exact;
-    double uncertainty;                   /* standard deviation of `measured`; NAN: not known */
-    double r2;                            /* share of the record's squares that the fit explains; NAN: none */
-    double swing;                         /* how long about one swing takes, in units of time, whether that is
-                                           * known exactly or not: for windows and paces; NAN: nothing swings */
+    double uncertainty;    /* standard deviation of `measured`; NAN: not known */
+    double r2;             /* share of the record's squares that the fit explains; NAN: none */
+    double nominal_period; /* how long about one oscillation takes, in units of time, whether that is
+                            * known exactly or not: for windows and paces; NAN: nothing oscillates */
     double error_frequency, error_period; /* measured against exact, in percent */
     double predicted_error_frequency;     /* predicted against exact, in percent */
     double late;                          /* periods behind the exact answer at `time` */
     double time;
     double real_size; /* a beam's period by theory at the size that it has on the lattice; NAN: none */
-    double overlap;   /* of what swings with the mode that is predicted; below READOUT_PURE it is a mixture of
-                       * modes, and no one frequency can be measured to the last digit */
+    double overlap; /* of what oscillates with the mode that is predicted; below READOUT_PURE it is a mixture
+                     * of modes, and no one frequency can be measured to the last digit */
     double kept_measured, kept_predicted; /* the share of its energy that the watched motion keeps in one
                                            * exact period; NAN: not known */
     double decay_measured,
-        decay_exact; /* of a damped swing, amplitude ~ exp(-decay t), 1/s; NAN: not known */
-    double by_zeros; /* a beam's period once more, from the zeros of its swing; NAN: fewer than two */
+        decay_exact; /* of a damped oscillation, amplitude ~ exp(-decay t), 1/s; NAN: not known */
+    double by_zeros; /* a beam's period once more, from the zeros of its oscillation; NAN: fewer than two */
     bool drifting;   /* the period itself changes: the three numbers and `late` are those of the last zeros */
     bool faded;      /* the record does not end with that oscillation: `late` is not known */
     const char *column;      /* the series it was measured on */
-    double times;            /* which swings so many times as fast */
+    double times;            /* which oscillates so many times as fast */
     int mode;                /* of a bar: the number of the mode that it is; 0: none */
     const char *unmeasured;  /* of what moves: why there is no measured number, in a few words; else "" */
     bool no_memory;          /* the fit found no memory, and `unmeasured` says so */
@@ -124,10 +124,9 @@ void findings_text(const Finding *, int n_findings, bool with_exact, char *out, 
 /* Periods behind the exact answer at another time than the readout's; NAN: not known. */
 double readout_late(const Readout *, double time);
 
-/* To how many digits behind the point, at most so many, a number is known: to the first digit of its
- * uncertainty. */
-int readout_decimals(double uncertainty, int most);
-int readout_error_decimals(const Readout *, int most); /* of its error in percent */
+/* To how many digits behind the point, at most so many, its error in percent is known: to the first digit of
+ * its uncertainty. */
+int readout_error_decimals(const Readout *, int most);
 
 /* What is measured to the digits that are known, a period in ms. */
 NumberText readout_text(const Readout *, int most);

@@ -61,7 +61,7 @@ void readout_fit(const double *rows, size_t n_rows, int n_columns, int column, d
     }
 }
 
-int readout_decimals(double uncertainty, int most)
+static int readout_decimals(double uncertainty, int most)
 {
     int count = 0;
     for (; count < most && !(uncertainty >= 1); count++)
@@ -116,7 +116,8 @@ static bool oscillates_to_the_end(const References *refs, const Readout *readout
     return crossings >= expected / 2 - 1 && crossings <= 2 * expected + 1;
 }
 
-/* What has come to rest long before the end swings no more than a little in the last quarter of its record.
+/* What has come to rest long before the end oscillates no more than a little in the last quarter of its
+ * record.
  */
 static const char *why_unmeasured(const References *refs, const Readout *readout, const double *rows,
                                   size_t n_rows, int n_columns)
@@ -145,7 +146,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                          .r2 = NAN,
                          .predicted = NAN,
                          .exact = NAN,
-                         .swing = NAN,
+                         .nominal_period = NAN,
                          .error_frequency = NAN,
                          .error_period = NAN,
                          .predicted_error_frequency = NAN,
@@ -165,7 +166,7 @@ void references_readout(const References *refs, const double *rows, size_t n_row
     if (refs->solver && refs->solver->readout)
         refs->solver->readout(refs, rows, n_rows, n_columns, readout);
     if (readout->moving && readout->exact_known && readout->exact > 0)
-        readout->swing = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
+        readout->nominal_period = readout->is_period ? readout->exact : 2 * M_PI / readout->exact;
     if (refs->unaccounted[REFERENCE_PREDICTED] || refs->unaccounted[REFERENCE_FREQUENCY]) {
         readout->predicted_known = false;
         readout->predicted = readout->kept_predicted = NAN;

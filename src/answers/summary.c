@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ENERGY_TOLD 10.0 /* per cent that a sound run does not swing by */
+#define ENERGY_TOLD 10.0 /* per cent that a sound run does not oscillate by */
 
 static int find(const Column *columns, int n_columns, const char *name)
 {
@@ -245,11 +245,11 @@ static void add_readout(Writer *writer, const Readout *readout, const char *answ
         add(writer, "  (a mixture of modes: overlap %.3g with the one predicted)", readout->overlap);
     add(writer, "\n");
     if (isfinite(readout->late))
-        add(writer, "%s by %.3g periods%s\n", readout->late < 0 ? "early" : "late", fabs(readout->late),
+        add(writer, "%.3g periods %s%s\n", fabs(readout->late), readout->late < 0 ? "ahead" : "behind",
             strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
-/* How fast a damped swing dies, and how fast it swings meanwhile. */
+/* How fast a damped oscillation dies, and how fast it oscillates meanwhile. */
 static void add_decay(Writer *writer, const Readout *readout)
 {
     if (!isfinite(readout->decay_exact))

@@ -116,8 +116,9 @@ static void write_curves(HelpLines *written, int width, const HelpText *text)
          "under the plots, from 0 to the end of the run: the line is what has been computed, the "
          "dot is where we are. x: a particle crossed into another cell; b: bonds broke; t: two bodies, or a "
          "body and a wall, touched for the first time; p: they parted; T: a body is torn, as "
-         "neighbouring particles have parted (b, t, p and T in the plots over time too); L: late or early by "
-         "half a period, by whole ones; E: the energy left "
+         "neighbouring particles have parted (b, t, p and T in the plots over time too); L: half a period, a "
+         "whole one "
+         "and so on behind or ahead; E: the energy left "
          "its range; c: a "
          "parameter was changed; R: it came to rest; !: the run stopped."},
         {"spectrum",

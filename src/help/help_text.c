@@ -8,7 +8,7 @@ static const HelpWord bar_words[] = {
     {"exact", "solution of the continuum, without mesh and time step: dotted."},
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
-    {"late",
+    {"behind",
      "phase lag: by how many periods the run is behind the exact solution now. A small error of frequency "
      "adds up to a large lag."},
     {"v_cm", "the momentum of the particles over their mass. They move with the nodes' velocities, so x_cm "
@@ -39,7 +39,7 @@ static const HelpWord pd_bar_words[] = {
     {"exact", "solution of the continuum, without mesh and time step: dotted."},
     {"w", "the frequency in radians per time, by least squares of cosine, sine and offset. T is the period: "
           "its error has the other sign."},
-    {"late",
+    {"behind",
      "phase lag: by how many periods the run is behind the exact solution now. A small error of frequency "
      "adds up to a large lag."},
     {"v_cm", "the velocity of the centre of mass. Predicted: the start is resolved into all modes of the "

@@ -256,8 +256,8 @@ void player_choose_pace(Player *player)
     const Readout *readout = experiment_readout(experiment);
     double dt = experiment_simulation(experiment)->dt;
     double seconds = 1, steps = 0;
-    if (readout->swing > 0) {
-        const double period = readout->swing, end = dt * (double)experiment_last_step(experiment);
+    if (readout->nominal_period > 0) {
+        const double period = readout->nominal_period, end = dt * (double)experiment_last_step(experiment);
         seconds = period_seconds(readout, period, end);
         steps = period / dt;
     }

@@ -153,8 +153,8 @@ static double reach_of(const Experiment *experiment, int field, const double *no
         reach = fmax(reach, parts[part]);
     if (count > 0)
         sim->method->field(sim, sim->position[0], count - 1, 1, &length);
-    const double span = readout->swing > 0 && !readout->drifting
-                            ? readout->swing
+    const double span = readout->nominal_period > 0 && !readout->drifting
+                            ? readout->nominal_period
                             : settings_time(experiment_settings(experiment))->end;
     for (int i = 0; i <= TIMES; i++)
         for (int k = 1; k <= PLACES; k++) {

@@ -12,7 +12,7 @@
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solvers.h"
 #include "theory/bar_waves.h"
-#include "theory/swing.h"
+#include "theory/oscillation.h"
 
 #include <errno.h>
 #include <math.h>
@@ -270,7 +270,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
     const StepMode found = step_mode(settings, &bar->theory, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known) {
         bar->watch.overlap = found.overlap;
-        bar->watch.kept = found.frequency > 0 ? swing_kept(found.decay, bar->watch.exact) : NAN;
+        bar->watch.kept = found.frequency > 0 ? oscillation_kept(found.decay, bar->watch.exact) : NAN;
     }
     return bar_prediction_is_whole(
         before, round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size), "cells",
@@ -296,7 +296,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
                     2 * M_PI / bar_largest_wave_number(&theory, mode > 0 ? mode : 1) /
                         settings_mesh(settings)->cell_size,
                     false);
-    /* the sampled mode is a mixture, and swings at more than the frequency predicted */
+    /* the sampled mode is a mixture, and oscillates at more than the frequency predicted */
     const StepMode found = step_mode(settings, &theory, mode);
     if (mode > 0 && found.known && found.overlap < READOUT_PURE)
         derived_add_answer(out, &n, REFERENCE_PREDICTED, "mode_overlap", "mode overlap", "1", found.overlap);

@@ -57,7 +57,7 @@ static void find_thickness_lines(BeamBody *body, const Settings *settings, const
     free(stiffness);
 }
 
-/* Of the lattice as it is damped; that of critical damping swings no more. */
+/* Of the lattice as it is damped; that of critical damping oscillates no more. */
 static bool predict(const Settings *settings, Prediction *out, Status *status)
 {
     BeamDef def = beam_definition(settings, 1);

@@ -154,7 +154,7 @@ static void add_lags(EventLog *log, const Experiment *experiment)
         char text[120];
         if (step > (double)experiment->newest)
             return;
-        snprintf(text, sizeof text, "%s %s against %s", lags[i].words, log->late > 0 ? "late" : "early",
+        snprintf(text, sizeof text, "%s %s %s", lags[i].words, log->late > 0 ? "behind" : "ahead of",
                  experiment->base.problem->answer);
         add(log->events, &log->count, EVENT_LOG_MAX, lround(step), EVENT_LATE, text);
     }

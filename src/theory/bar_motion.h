@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* v_cm(t) of a bar predicted whole: the velocity at t = 0 resolved into the modes of the discrete bar, each
- * of which swings with the frequency that the time step makes of it.
+ * of which oscillates with the frequency that the time step makes of it.
  *
  * The parts of the bar (nodes, particles) obey y'' = -S y with a symmetric S, and in time steps
  *
  *     y_{k+1} - 2 y_k + y_{k-1} = -dt^2 S y_k
  *
- * An eigenvector e of S, S e = omega^2 e, therefore swings as cos(Omega k dt), sin(Omega dt/2) =
+ * An eigenvector e of S, S e = omega^2 e, therefore oscillates as cos(Omega k dt), sin(Omega dt/2) =
  * omega dt/2, by velocity Verlet. This is the scheme's own answer,
  * not an approximation of it. */
 #ifndef THEORY_BAR_MOTION_H

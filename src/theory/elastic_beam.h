@@ -17,7 +17,7 @@ typedef struct BeamTheory {
     Cancel cancel;    /* asked while a motion is being solved */
 } BeamTheory;
 
-/* What damping makes of a period: 2 pi/sqrt((2 pi/T)^2 - alpha^2/4); NAN: it does not swing any more. */
+/* What damping makes of a period: 2 pi/sqrt((2 pi/T)^2 - alpha^2/4); NAN: it does not oscillate any more. */
 double beam_damped_period(double period, double damping);
 
 /* First period of the simply supported beam, s. Timoshenko: kappa 5/6, exact frequency equation. Plane: of

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Frequency and decay of a swing from three or four samples at a time, about a quarter of a turn h apart.
+/* Frequency and decay of an oscillation from three or four samples at a time, about a quarter of a turn h
+ * apart.
  *
- * With a constant beside it, a swing obeys y(t + 2h) = s y(t + h) - q y(t) + c, whose roots are
+ * With a constant beside it, an oscillation obeys y(t + 2h) = s y(t + h) - q y(t) + c, whose roots are
  * exp((-decay +- i omega) h):
  *
  *     s = 2 exp(-decay h) cos(omega h),   q = exp(-2 decay h)
@@ -12,7 +13,7 @@
  *     s = E (1 + 2 cos(2 omega h)),   q = E^3
  *
  * Three unknowns either way, by least squares over the whole record: what has died counts for nothing. */
-#include "theory/swing.h"
+#include "theory/oscillation.h"
 
 #include "base/assertion.h"
 #include "theory/gsl_errors.h"
@@ -54,8 +55,8 @@ static bool least_squares(const double *values, size_t stride, size_t count, siz
     return solved;
 }
 
-bool swing_fit(const double *values, size_t stride, size_t count, double dt, double frequency, bool squared,
-               Swing *out)
+bool oscillation_fit(const double *values, size_t stride, size_t count, double dt, double frequency,
+                     bool squared, Oscillation *out)
 {
     ASSERT_INT(stride, >=, 1);
     ASSERT_REAL(dt, >, 0);
@@ -71,11 +72,11 @@ bool swing_fit(const double *values, size_t stride, size_t count, double dt, dou
     const double cosine = squared ? (x[0] / kept - 1) / 2 : x[0] / (2 * sqrt(kept));
     if (!(kept > 0 && fabs(cosine) < 1))
         return false;
-    *out = (Swing){math_acos(cosine) / h / (squared ? 2 : 1), -math_log(kept) / (2 * h)};
+    *out = (Oscillation){math_acos(cosine) / h / (squared ? 2 : 1), -math_log(kept) / (2 * h)};
     return true;
 }
 
-double swing_kept(double decay, double frequency)
+double oscillation_kept(double decay, double frequency)
 {
     ASSERT_REAL(frequency, >, 0);
     return math_exp(-2 * decay * 2 * M_PI / frequency);

@@ -112,15 +112,15 @@ static Stack stack_of(const Screen *screen)
     return stack;
 }
 
-/* Whether single swings are seen; no screen is as fine. */
+/* Whether single oscillations are seen; no screen is as fine. */
 static bool is_fine(const Picture *picture)
 {
     enum { DOTS = 500 };
     return picture->dots >= DOTS;
 }
 
-/* How long one swing takes, as well as it is known; 0: nothing swings steadily. */
-static double swing_of(const Screen *screen)
+/* How long one oscillation takes, as well as it is known; 0: nothing oscillates steadily. */
+static double oscillation_period(const Screen *screen)
 {
     const Readout *readout = experiment_readout(screen->experiment);
     const double known = readout->measured_known    ? readout->measured
@@ -132,16 +132,16 @@ static double swing_of(const Screen *screen)
     return readout->is_period ? known : 2 * M_PI / known;
 }
 
-/* The mean height of the first `upto` layers over a whole swing around a time: kinetic and strain energy
- * change places twice in a swing, and what stays, grows or goes is read where they do not. Near the ends of
- * the record it is the first or the last whole swing. */
-static double mean_height(const Stack *stack, double time, double swing, int upto)
+/* The mean height of the first `upto` layers over a whole oscillation around a time: kinetic and strain
+ * energy change places twice in an oscillation, and what stays, grows or goes is read where they do not. Near
+ * the ends of the record it is the first or the last whole oscillation. */
+static double mean_height(const Stack *stack, double time, double period, int upto)
 {
     enum { SAMPLES = 64 };
     const Record *record = stack->record;
     const double end = record_row(record, record->count - 1)[1];
-    double from = fmin(fmax(time - swing / 2, 0), fmax(end - swing, 0)), sum = 0;
-    const double length = fmin(swing, end - from);
+    double from = fmin(fmax(time - period / 2, 0), fmax(end - period, 0)), sum = 0;
+    const double length = fmin(period, end - from);
     for (int i = 0; i < SAMPLES; i++)
         sum += stack_height(stack, record_find(record, from + length * (i + 0.5) / SAMPLES), upto);
     return sum / SAMPLES;
@@ -158,8 +158,8 @@ static double column_height(const Stack *stack, double from, double to, int upto
 }
 
 /* One point a column of dots: the rows of it. Bands need no extremes: their edges are sums that hardly change
- * within a column when the curve's swing is wider than one; where it is narrower, its mean is told. */
-static void add_bands(Picture *picture, const Stack *stack, double swing, bool means)
+ * within a column when the curve's oscillation is wider than one; where it is narrower, its mean is told. */
+static void add_bands(Picture *picture, const Stack *stack, double period, bool means)
 {
     Plot *plot = &picture->plot;
     const int dots = picture->dots;
@@ -180,7 +180,7 @@ static void add_bands(Picture *picture, const Stack *stack, double swing, bool m
                          time = means ? plot->x.low + (i + 0.5) * step : from + step / 2;
             for (int edge = 0; edge < 2; edge++)
                 plot_point(plot, time,
-                           means ? mean_height(stack, time, swing, layer + edge)
+                           means ? mean_height(stack, time, period, layer + edge)
                                  : column_height(stack, from, from + step, layer + edge));
         }
     }
@@ -340,17 +340,17 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(fmax(most, most_work) * 1.02)), "energy",
                    screen_problem(screen)->si ? "J" : "");
     add_keys(picture, &stack, runs, n_runs, second, most_work > 0);
-    const double swing = swing_of(screen);
-    const bool means = swing > 0 && !is_fine(picture);
-    add_bands(picture, &stack, swing, means);
+    const double period = oscillation_period(screen);
+    const bool means = period > 0 && !is_fine(picture);
+    add_bands(picture, &stack, period, means);
     if (means) {
         /* Each band that is high enough to be read has its name in it: colours alone would not tell them
          * apart. */
         const Axis *x = &picture->plot.x, *y = &picture->plot.y;
         const double time = x->low + (x->high - x->low) / 16, least = (y->high - y->low) / 24;
         for (int layer = 0; layer < stack.count && stack.record->count > 0; layer++) {
-            const double low = mean_height(&stack, time, swing, layer);
-            const double high = mean_height(&stack, time, swing, layer + 1);
+            const double low = mean_height(&stack, time, period, layer);
+            const double high = mean_height(&stack, time, period, layer + 1);
             PictureLabel label = {.x = time, .y = (low + high) / 2, .height = high - low, .side = 1};
             snprintf(label.text, sizeof label.text, "%s", stack.layers[layer].name);
             if (high - low > least)

@@ -121,7 +121,7 @@ static int add_lines(const Screen *screen, const ShownRun *run, const char *name
 /* What the axis of the values has to hold. */
 typedef struct Range {
     double reach, least, most;
-    bool swings; /* around zero; what only grows has its own range */
+    bool oscillates; /* around zero; what only grows has its own range */
 } Range;
 
 /* --- lines under the plot ------------------------------------------------------------------------- */
@@ -186,9 +186,8 @@ static void frequency_lines(const Screen *screen, char first[READOUT_TEXT], char
         char late[80] = "", period[160];
         if (isfinite(readout->late))
             snprintf(late, sizeof late,
-                     dies ? "  %s by %.2f periods"
-                          : "  %s " LONG_SHORT("by ", "") "%.2f " LONG_SHORT("periods", "T"),
-                     readout->late < 0 ? "early" : "late", fabs(readout->late));
+                     dies ? "  %.2f periods %s" : "  %.2f " LONG_SHORT("periods", "T") " %s",
+                     fabs(readout->late), readout->late < 0 ? "ahead" : "behind");
         snprintf(period, sizeof period, "  T %+.*f %%%s", decimals, readout->error_period, late);
         /* of what dies its decay is told, if not everything can be */
         text_append(second, READOUT_TEXT, dies ? "ω %+.*f %%" LONG_SHORT("%s", "") : "ω %+.*f %%%s", decimals,
@@ -283,7 +282,7 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
                     continue;
                 if (!asked)
                     time_plot_range_to_come(&one, least, most);
-                asked = range.swings = true;
+                asked = range.oscillates = true;
                 if (runs[i].columns[j].kind != COLUMN_MEASURED) {
                     range.reach = fmax(range.reach, fmax(-least[j], most[j]));
                     range.least = fmin(range.least, least[j]);
@@ -306,11 +305,11 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
     }
     if (strcmp(quantity->unit, "1") == 0) /* of things */
         return axis_count(range.most);
-    /* what swings to one side of zero, a place, is seen about its own middle; what is conserved is not
+    /* what oscillates to one side of zero, a place, is seen about its own middle; what is conserved is not
      * magnified, nor are errors of rounding below zero */
     const double below = -0.1 * range.most;
     const bool aside = range.least > below && range.most > (1 + 1e-9) * range.least;
-    if ((range.swings && !aside) || range.least < below)
+    if ((range.oscillates && !aside) || range.least < below)
         return axis_symmetric(range.reach);
     return axis_around(fabs(range.least) < 1e-9 * range.most ? 0 : range.least, range.most);
 }
@@ -353,7 +352,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         time_plot_curve(picture, &(TimeCurve){lines[i].run->record, lines[i].column, NULL, NULL});
     }
     overlay_add(screen, picture, quantity->name, false);
-    /* How far a beam that grows would swing by its lengthening alone. */
+    /* How far a beam that grows would oscillate by its lengthening alone. */
     enum { PIECES = 24 }; /* single dots, which no curve is drawn with */
     const References *refs = experiment_references(screen->experiment);
     Plot *plot = &picture->plot;

@@ -44,8 +44,8 @@ static double exact_reach(const ShownRun *run, const char *field, const double *
     enum { TIMES = 24, PLACES = 12 };
     const References *refs = experiment_references(run->experiment);
     const Readout *readout = run->readout;
-    const double span =
-        readout->swing > 0 && !readout->drifting ? readout->swing : settings_time(run->settings)->end;
+    const double span = readout->nominal_period > 0 && !readout->drifting ? readout->nominal_period
+                                                                          : settings_time(run->settings)->end;
     double reach = 0;
     for (int i = 0; count > 0 && i <= TIMES; i++)
         for (int k = 0; k <= PLACES; k++) {

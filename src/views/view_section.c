@@ -261,7 +261,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         char line[160];
         picture->kind = PICTURE_UPRIGHT;
         picture->compares = true;
-        /* So that the axis keeps still while the body swings: what theory reaches in the run too. */
+        /* So that the axis keeps still while the body oscillates: what theory reaches in the run too. */
         enum { TIMES = 32, HEIGHTS = 2 };
         const double end = settings_time(experiment_settings(section.screen->experiment))->end;
         double reach = 0;

@@ -41,7 +41,7 @@ static Choice choice_of(const Screen *screen, int variant)
         const int column = experiment_column(screen->experiment, readout->moving ? readout->column : "v_cm");
         return (Choice){column, variant % 2 == 1};
     }
-    /* a beam swings a few times only in a run: what it does at once is its thickness modes */
+    /* a beam oscillates a few times only in a run: what it does at once is its thickness modes */
     return (Choice){experiment_column(screen->experiment, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
 }
 

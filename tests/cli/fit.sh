@@ -34,7 +34,7 @@ awk -F, 'NR > 1 { u = $3 } { print $2 "," $3 } END { print "0.004," u }' h.csv >
 expect "data beyond rest" 0 hanging-beam --set pd.spacing=2.5e-3 --set pd.horizon=8e-3 --set time.step=auto --set load.body_force=-9 --data still.csv --vary load.body_force
 result "are of a body that hangs still" says out '^load.body_force  *-9.81  '
 "$MATVIB" run mode5 --set bar.youngs_modulus=90 --end 20 --every 20 --series s.csv --quiet
-expect "data that swing once less" 0 mode5 --data s.csv --vary bar.youngs_modulus
+expect "data that oscillate once less" 0 mode5 --data s.csv --vary bar.youngs_modulus
 result "are not taken for those beside them" says out '^bar.youngs_modulus  *90  '
 awk -F, 'NR == 1 { print "time,v_cm" } NR > 1 { print $2 "," 0.007 * sin(3 * $2 * $2) }' s.csv >wild.csv
 expect "data of something else" 0 mode5 --data wild.csv --vary bar.youngs_modulus

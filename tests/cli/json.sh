@@ -76,7 +76,7 @@ result "with its R2" holds 'r2 >= 0 && r2 < .5 && u == ""'
 result "and no lag" test -z "$(value out late)"
 expect "in words" 0 run "$@"
 result "it says so too" says out '^frequency with a mistake  not one frequency: R2 < 0.5 '
-result "and nothing more" test -z "$(grep -e '^uncertainty' -e '^error' -e '^late' -e '^early' out)"
+result "and nothing more" test -z "$(grep -e '^uncertainty' -e '^error' -e 'periods behind' -e 'periods ahead' out)"
 expect "and is no sound" 2 sound "$@" --output none.wav
 result "for this reason" says err 'there is no steady frequency .*: not one frequency: R2 < 0.5'
 

@@ -22,7 +22,7 @@ run() { # SCENARIO OPTIONS...
 			sub(/.*\(frequency predicted/, "mesh"); after("mesh", "predicted_error")
 			print "predicted_period", 100 / (1 + $2 / 100) - 100 }
 		/^uncertainty / { after("uncertainty", "uncertainty"); after("R2", "r2") }
-		/^(late|early) / { after("by", "periods") }
+		/^[^ ]+ periods (behind|ahead)/ { print "periods", $1 }
 		/^a period keeps/ { after("predicted", "kept") }
 		/^energy E\* / { after("by", "lost") }
 		/^energy, first/ { after("by", "lost") }
@@ -53,7 +53,7 @@ run() { # SCENARIO OPTIONS...
 }
 
 # What the grid has of the kinetic energy of a run between two times, in per cent, and what it has not; how wide
-# v_cm swings then beside the exact one.
+# v_cm oscillates then beside the exact one.
 shares() { # FROM TO SCENARIO OPTIONS...
 	from=$1 to=$2
 	shift 2
@@ -66,7 +66,7 @@ shares() { # FROM TO SCENARIO OPTIONS...
 			all += $at["kinetic"]; grid += $at["kinetic_grid"]; null += $at["kinetic_null"] }
 		END { print "grid", 100 * grid / all; print "null", 100 * null / all
 			print "lumping", 100 * (all - grid - null) / all
-			if (exact > 0) print "swing", (high - low) / 2 / exact }' shares.csv >measured
+			if (exact > 0) print "oscillation", (high - low) / 2 / exact }' shares.csv >measured
 }
 
 # The last row of the series of a run, as NAME VALUE lines; the share of the total that is left, and between what it
@@ -321,7 +321,7 @@ claim $scenario/mode10.ini "the frequency is " 17.7 " % too low" predicted_error
 claim $scenario/mode10-fine.ini "falls from " 17.7 " % to" predicted_error
 claim $lesson/amplitude.lesson "All of it is there still, and " 1 " % more" lost
 shares 98 99.9 mode10
-claim $lesson/amplitude.lesson "solid curve is about " 0.4 " of" swing
+claim $lesson/amplitude.lesson "solid curve is about " 0.4 " of" oscillation
 shares 95 100 mode10
 claim $lesson/amplitude.lesson "of 1 it had " 93 " %" null
 if [ -n "$MATVIB_WIDE" ]; then
@@ -405,8 +405,8 @@ fi
 run hanging-beam --set pd.surface_correction=none --set pd.volume_correction=hhb --steps 2
 claim $lesson/rest.lesson "with hhb it is " "1.30" "." sag 0.01 1
 if [ -n "$MATVIB_WIDE" ]; then
-	run hanging-beam --set time.rest=no --set damping.rate=0 --end 0.002 --series swing.csv
-	awk -F, 'NR > 1 && $3 / $6 > most { most = $3 / $6 } END { print "most", most }' swing.csv >measured
+	run hanging-beam --set time.rest=no --set damping.rate=0 --end 0.002 --series oscillation.csv
+	awk -F, 'NR > 1 && $3 / $6 > most { most = $3 / $6 } END { print "most", most }' oscillation.csv >measured
 	claim $lesson/rest.lesson "comes down " 2.0 " times as far" most
 fi
 

@@ -37,7 +37,7 @@ result "a long phrase is broken and not cut" sh -c 'grep -q "nearly all of it fe
 printf 'until break\nmore\n' | "$MATVIB" notched-beam-coarse --plain >out
 result "a map says where the crack is" says out 'crack tip: x 65 mm'
 # agree ARGUMENTS...: in the window from a to b, zeros of the measured and of the exact curve part by 2 L (b - a)/b where
-# the run is late by L periods at b, but for one zero at each end; prints "late" if it says L at all
+# the run is L periods behind at b, but for one zero at each end; prints "lag" if it says L at all
 agree() {
 	printf 'until end\ntell probe\n' | "$MATVIB" "$@" --plain | tr '\n' ' ' | sed 's/.*> tell probe//; s/  */ /g' >told
 	awk 'function zeros(text) { return text ~ /crosses zero once/ ? 1 : match(text, /crosses zero [0-9]+/) ? substr(text, RSTART + 13, RLENGTH - 13) + 0 : 0 }
@@ -49,10 +49,10 @@ agree() {
 			}
 			match($0, /measured: from t [^ ]+ to [^ :]+/); split(substr($0, RSTART, RLENGTH), w, " ")
 			if (seen != 2) exit 2
-			if (!match($0, /(late|early) by [0-9.]+ periods/)) exit 0
+			if (!match($0, /[0-9.]+ periods (behind|ahead)/)) exit 0
 			split(substr($0, RSTART, RLENGTH), l, " ")
-			print "late"
-			off = e - m - 2 * (l[1] == "late" ? l[3] : -l[3]) * (w[6] - w[4]) / w[6]
+			print "lag"
+			off = e - m - 2 * (l[3] == "behind" ? l[1] : -l[1]) * (w[6] - w[4]) / w[6]
 			exit off > 2 || off < -2
 		}' told
 }
@@ -63,13 +63,13 @@ agreed() {
 	result "$name: zeros and lag agree" test $? -eq 0
 }
 agreed "a box with an offset" mode5 --set mpm.shape=gimp --set initial.mode=8 --set initial.offset=.4
-result "and it says how late" test -s says
+result "and it says how far behind" test -s says
 for mistake in volume_of_cell mass_for_volume; do
 	agreed "$mistake" mode5 --set "mpm.mistake=$mistake" --set bar.density=2 --end 13.1
-	result "and it says how early" test -s says
+	result "and it says how far ahead" test -s says
 done
 agreed "what has decayed" mode5 --set initial.mode=8 --set mesh.cell_size=0.5 --set mpm.algorithm=usl --set mpm.flip_fraction=0.5 --end 13.1
-result "is late by nothing" test ! -s says
+result "has no lag" test ! -s says
 agreed "what goes on in the null space" mode5 --set initial.mode=10 --set bar.length=18 --set mpm.mistake=mass_for_volume --set initial.velocity=0.5 --set time.courant=0.05 --end 13.1
 
 "$MATVIB" mode1 --plain </dev/null >out

@@ -101,7 +101,7 @@ result "tells what its energy was on the way" says out '^energy, .* of the start
 expect "a beam by bonds that leaves its channel" 0 moving-cantilever-coarse --end 2e-5
 result "says what its energy is" says out '^energy, .* of the start, nearly all of it feed motion$'
 expect "by points" 0 moving-cantilever-mpm-coarse --end 2e-5
-result "it is that of the swing" says out '^energy, .* of the start$'
+result "it is that of the oscillation" says out '^energy, .* of the start$'
 expect "a bar at rest" 0 mode5 --set initial.velocity=0 --end 1
 result "has no frequency" says out '^nothing vibrates: no frequency to measure$'
 result "and no energy to keep" sh -c '! grep -q energy out'

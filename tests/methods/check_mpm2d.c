@@ -88,7 +88,7 @@ static double measured_period(const PlaneDef *def, double expected)
 }
 
 /* Over two periods from the relaxed start, or of what else there is from that with velocities. */
-START_TEST(the_run_swings_as_predicted)
+START_TEST(the_run_oscillates_as_predicted)
 {
     static const struct {
         double length; /* m */
@@ -954,7 +954,7 @@ void add_cases(Suite *suite)
     tcase_add_test(test, velocities_that_strained);
     tcase_add_loop_test(test, the_stress_turns_with_its_particle, 0, 2);
     tcase_add_test(test, predicted_periods);
-    tcase_add_test(test, the_run_swings_as_predicted);
+    tcase_add_test(test, the_run_oscillates_as_predicted);
     tcase_add_test(test, splines_start_as_hats_do);
     tcase_add_loop_test(test, the_largest_step, 0, 4);
     tcase_add_test(test, known_limits);

@@ -60,7 +60,7 @@ static const char *meaning_of_f_ext(const Simulation *sim)
     return sim->fields[simulation_find_field(sim, 1, "f_ext")].quantity.meaning;
 }
 
-/* A free bar that moves as a whole swings with omega^2 = k. */
+/* A free bar that moves as a whole oscillates with omega^2 = k. */
 START_TEST(it_acts)
 {
     static const double v0 = 0.1;

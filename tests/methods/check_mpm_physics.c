@@ -219,10 +219,10 @@ START_TEST(v_cm_is_not_the_rate_of_x_cm)
     BarCase bar = bar_case(known[_i].mode, 0.1);
     Simulation *sim = bar_case_create(&bar);
     const double wave = bar_case_wave_number(&bar, known[_i].mode);
-    const double swing = 0.1 * (1 - cos(wave * 25)) / (wave * 25);
+    const double oscillation = 0.1 * (1 - cos(wave * 25)) / (wave * 25);
     double exact = 0, v_cm = 0, rate = 0, late = 0;
     for (int step = 0; step <= 1000; step++) {
-        exact += pow(swing * cos(10 * wave * simulation_time(sim)), 2);
+        exact += pow(oscillation * cos(10 * wave * simulation_time(sim)), 2);
         v_cm += pow(series_now(sim, "v_cm"), 2);
         rate += pow(series_now(sim, "x_cm_rate"), 2);
         advance(sim, 1);
@@ -234,7 +234,7 @@ START_TEST(v_cm_is_not_the_rate_of_x_cm)
         advance(sim, 1);
     }
     if (known[_i].mode == 10)
-        ck_assert_double_eq_tol(late / swing, -.226, 1e-3);
+        ck_assert_double_eq_tol(late / oscillation, -.226, 1e-3);
     simulation_destroy(sim);
 }
 END_TEST

@@ -321,7 +321,7 @@ START_TEST(stages_say_what_acts)
     const int load = simulation_find_stage(sim, "load");
     const Stage *stage = &sim->stages[load];
     ck_assert_str_eq(stage->equation, "f(i) += -k u(i)");
-    /* as a whole it swings with omega^2 = k/rho: u(n) of velocity Verlet from rest at 0 */
+    /* as a whole it oscillates with omega^2 = k/rho: u(n) of velocity Verlet from rest at 0 */
     const double angle = 2 * asin(sqrt(stiffness) * sim->dt / 2), start = 0.5 * 25 * speed * speed;
     for (int i = 1; i <= 40; i++) {
         advance(sim, 50);

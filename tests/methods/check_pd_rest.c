@@ -266,7 +266,7 @@ START_TEST(comes_to_rest_by_itself)
 }
 END_TEST
 
-/* Rest has to last half a period where the beam still swings: kinetic energy vanishes at each turning. */
+/* Rest has to last half a period where the beam still oscillates: kinetic energy vanishes at each turning. */
 START_TEST(a_turning_point_is_no_rest)
 {
     BeamDef def = hanging();

@@ -59,7 +59,7 @@ START_TEST(lags_come_at_their_time)
         const Event *event = first_of(experiment, EVENT_LATE);
         ck_assert_ptr_nonnull(event);
         ck_assert_double_eq_tol(0.01 * (double)event->step, lags[i].time, i == 0 ? 0.05 : 0.005);
-        ck_assert_str_eq(event->text, "half a period late against exact");
+        ck_assert_str_eq(event->text, "half a period behind exact");
         experiment_destroy(experiment);
     }
     Experiment *experiment = run("mode1", NULL, 10000);

@@ -2,8 +2,8 @@
 /* The fit finds what a series was made with: without noise to the last digits, with noise within the interval
  * that it states, as often as it states, be the noise white or not; on data of the continuum or of a finer
  * mesh it finds what its mesh makes of them, and says that what is left is no noise. Its runs are those of
- * everybody: with changes in mid-run, ended by rest, refused where they fail; and a minimum one swing beside
- * the data is not its answer. */
+ * everybody: with changes in mid-run, ended by rest, refused where they fail; and a minimum one oscillation
+ * beside the data is not its answer. */
 #include "suite.h"
 #include "scenario/settings.h"
 #include "answers/fit_search.h"
@@ -333,9 +333,9 @@ START_TEST(a_run_that_fails_is_told)
 }
 END_TEST
 
-/* Between 90 and 100 the run swings once less: a search from 100 alone ends at 104.1, with residuals as large
- * as the data. */
-START_TEST(a_minimum_one_swing_beside_is_not_the_answer)
+/* Between 90 and 100 the run oscillates once less: a search from 100 alone ends at 104.1, with residuals as
+ * large as the data. */
+START_TEST(a_minimum_one_oscillation_beside_is_not_the_answer)
 {
     Settings settings;
     Status status = {0};
@@ -351,7 +351,8 @@ START_TEST(a_minimum_one_swing_beside_is_not_the_answer)
     ck_assert_int_gt(result.beginnings, 4);
     fit_free(&result);
 
-    /* farther away, where the data cannot tell the frequency from another: fewer than two in a swing */
+    /* farther away, where the data cannot tell the frequency from another: fewer than two in an oscillation
+     */
     ck_assert(settings_set(&settings, "bar.youngs_modulus", "70", &status));
     task = record(&settings, "v_cm", 10, at, value, 400);
     ck_assert(settings_set(&settings, "bar.youngs_modulus", "100", &status));
@@ -433,8 +434,8 @@ START_TEST(data_of_a_finer_mesh_leave_no_noise)
 }
 END_TEST
 
-/* On this mesh the fifth mode of a bar with E swings at .9576 of its frequency, and frequencies go with the
- * root of E: data of the continuum ask for E/.9576^2. */
+/* On this mesh the fifth mode of a bar with E oscillates at .9576 of its frequency, and frequencies go with
+ * the root of E: data of the continuum ask for E/.9576^2. */
 START_TEST(data_of_the_continuum_ask_for_a_stiffer_bar)
 {
     Settings settings;
@@ -496,7 +497,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, changes_in_mid_run_are_those_of_the_run);
     tcase_add_test(tcase, a_run_that_comes_to_rest_ends_there);
     tcase_add_test(tcase, a_run_that_fails_is_told);
-    tcase_add_test(tcase, a_minimum_one_swing_beside_is_not_the_answer);
+    tcase_add_test(tcase, a_minimum_one_oscillation_beside_is_not_the_answer);
     tcase_add_test(tcase, an_alias_is_not_taken_for_the_answer);
     tcase_add_test(tcase, data_of_a_finer_mesh_leave_no_noise);
     tcase_add_test(tcase, data_of_the_continuum_ask_for_a_stiffer_bar);

@@ -150,7 +150,7 @@ static void expect_known(Experiment *experiment, bool known)
     ck_assert(has_derived(experiment, "omega") == known &&
               has_derived(experiment, "omega_predicted") == known);
     ck_assert(has_derived(experiment, "largest_courant") == known && has_derived(experiment, "dt"));
-    ck_assert(log_tells(experiment, "late against exact") == known);
+    ck_assert(log_tells(experiment, "behind exact") == known);
     ck_assert(log_tells(experiment, "not known with") == !known);
     ck_assert(summary_tells(experiment, "not known with") == !known);
 }

@@ -368,8 +368,8 @@ START_TEST(supports_keep_their_velocity)
 }
 END_TEST
 
-/* It swings for all to see; there is no theory of its period, and that is no rest. */
-START_TEST(a_plate_that_swings_is_not_at_rest)
+/* It oscillates for all to see; there is no theory of its period, and that is no rest. */
+START_TEST(a_plate_that_oscillates_is_not_at_rest)
 {
     Settings settings = small_plate();
     char out[SUMMARY_MAX];
@@ -668,7 +668,7 @@ void add_cases(Suite *suite)
     tcase_add_loop_test(plates, energies_balance, 0, 12);
     tcase_add_test(plates, loads_give_their_impulse);
     tcase_add_test(plates, supports_keep_their_velocity);
-    tcase_add_test(plates, a_plate_that_swings_is_not_at_rest);
+    tcase_add_test(plates, a_plate_that_oscillates_is_not_at_rest);
     tcase_add_test(plates, a_stage_tells_of_the_weight);
     tcase_add_test(plates, protected_nodes_keep_their_bonds);
     tcase_add_test(plates, steps_and_stages_have_the_same_bits);

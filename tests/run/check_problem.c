@@ -222,7 +222,7 @@ START_TEST(what_rests_has_no_frequency)
 }
 END_TEST
 
-START_TEST(loads_from_rest_swing_with_the_lowest_mode)
+START_TEST(loads_from_rest_oscillate_with_the_lowest_mode)
 {
     static const char *const loads[][2] = {{"load.body_force", "1e-3"}, {"load.traction", "1e-2"}};
     for (int i = 0; i < 2; i++) {
@@ -366,7 +366,7 @@ START_TEST(a_moving_cantilever_is_read_at_its_zeros)
     ck_assert_double_eq_tol(readout.late, shift / readout.exact, 1e-6);
     ck_assert(isnan(references_envelope(refs, "strain", 0)));
     ck_assert_double_eq_tol(references_envelope(refs, "u_probe", 0), 6e-6, 1e-18);
-    /* the swings end at their envelopes: within 3 % of them */
+    /* the oscillations end at their envelopes: within 3 % of them */
     const double spans[][2] = {{1e-3, 1.9e-3}, {2.6e-3, 3.6e-3}};
     for (int i = 0; i < 2; i++) {
         double most = 0, then = 0;
@@ -680,9 +680,9 @@ START_TEST(an_echo_is_told_while_it_is_in_one_piece)
     ck_assert_str_eq(of_both[0].missing, "never in one piece");
     ck_assert_double_lt(of_both[2].measured, 0.2); /* distance from the exact motion */
     experiment_destroy(of_hit);
-    /* where a mode swings besides, nothing of the pulse alone can be told */
-    static const char *const swinging[] = {"initial.velocity", "1e-4", NULL};
-    Settings settings = loaded("two-materials", swinging);
+    /* where a mode oscillates besides, nothing of the pulse alone can be told */
+    static const char *const oscillating[] = {"initial.velocity", "1e-4", NULL};
+    Settings settings = loaded("two-materials", oscillating);
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     Finding findings[FINDINGS_MAX];
     ck_assert_int_eq(
@@ -729,7 +729,7 @@ START_TEST(an_offset_is_known)
     ck_assert_double_eq_tol(readout.measured, readout.predicted, 1e-3);
     ck_assert_double_eq_tol(readout.exact, 5.654866776461628, 1e-12);
     ck_assert_double_gt(readout.measured - 5.415, 0.05); /* as it is in the middle */
-    /* v_cm is a mixture: one dying swing laid through it tells nothing (89.6 % of what keeps 98.1 %) */
+    /* v_cm is a mixture: one dying oscillation laid through it tells nothing (89.6 % of what keeps 98.1 %) */
     set(&settings, "mpm.algorithm", "usl");
     const Readout dying = read_out(&settings);
     ck_assert(isnan(dying.kept_measured) && dying.kept_predicted < 0.99);
@@ -1053,7 +1053,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, symmetric_bars_are_measured_on_their_strain);
     tcase_add_test(tcase, what_rests_has_no_frequency);
     if (!suite_sanitized())
-        tcase_add_test(tcase, loads_from_rest_swing_with_the_lowest_mode);
+        tcase_add_test(tcase, loads_from_rest_oscillate_with_the_lowest_mode);
     tcase_add_test(tcase, a_thinned_record_reads_the_same);
     tcase_add_test(tcase, a_supported_beam_s_period_is_read);
     if (!suite_sanitized())

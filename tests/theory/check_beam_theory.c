@@ -110,7 +110,7 @@ START_TEST(rows_ring_through_the_height)
 }
 END_TEST
 
-START_TEST(midpoint_swings)
+START_TEST(midpoint_oscillates)
 {
     double period = beam_period_euler(&paper);
     ck_assert_double_eq(beam_midpoint(&paper, period, 0), 3e-6);
@@ -301,8 +301,8 @@ static double first_mode_with_arm(double x, const void *length)
     return first_mode(x, length) * x;
 }
 
-/* Of a beam that swings in its first mode the moment at the root carries what the mass of the whole needs to
- * swing, rho A omega^2 integral of w x, and the force rho A omega^2 integral of w. */
+/* Of a beam that oscillates in its first mode the moment at the root carries what the mass of the whole needs
+ * to oscillate, rho A omega^2 integral of w x, and the force rho A omega^2 integral of w. */
 START_TEST(moment_and_force_carry_the_mass)
 {
     MovingCantilever *still = moving_cantilever_solve(&paper, 0, 5e-3, NULL);
@@ -310,9 +310,9 @@ START_TEST(moment_and_force_carry_the_mass)
     const double omega = beam_cantilever_frequency(&paper, paper.length), L = paper.length, h = paper.height;
     const double inertia = paper.density * omega * omega * paper.amplitude;
     for (double t = 0; t < 5e-3; t += 0.41e-3) {
-        const double swing = inertia * cos(omega * t); /* per volume */
-        const double moment = swing * integral(first_mode_with_arm, &L, L) * h;
-        const double force = swing * integral(first_mode, &L, L) * h;
+        const double oscillation = inertia * cos(omega * t); /* per volume */
+        const double moment = oscillation * integral(first_mode_with_arm, &L, L) * h;
+        const double force = oscillation * integral(first_mode, &L, L) * h;
         const double edge = moving_cantilever_bending_stress(still, &paper, 0, h / 2, t);
         const double middle = moving_cantilever_shear_stress(still, &paper, 0, 0, t);
         ck_assert_double_eq_tol(-edge * h * h / 6, moment, 1e-7 * inertia * L * L * h);
@@ -412,7 +412,7 @@ void add_cases(Suite *suite)
     tcase_add_test(pins, stresses_add_up_over_the_height);
     tcase_add_test(pins, rows_ring_through_the_height);
     tcase_add_test(pins, a_cantilever_slows_down_as_it_grows);
-    tcase_add_test(pins, midpoint_swings);
+    tcase_add_test(pins, midpoint_oscillates);
     suite_add_tcase(suite, pins);
     TCase *moving = tcase_create("moving");
     tcase_add_test(moving, moving_tip);

@@ -128,7 +128,7 @@ START_TEST(blend_damps_per_step)
     ck_assert_double_eq_tol(wave.decay, -log(kept) / 0.02, 1e-12);
     mesh.dt = 0.005; /* halving the step makes it worse */
     ck_assert_double_eq_tol(mode_on(&mesh, 5).decay / wave.decay, 2, 1e-9);
-    /* with much PIC a short wave does not swing at all, it creeps back */
+    /* with much PIC a short wave does not oscillate at all, it creeps back */
     mesh.flip_fraction = 0, mesh.dt = 0.001;
     Dispersion creeping = mode_on(&mesh, 10);
     ck_assert(creeping.known);

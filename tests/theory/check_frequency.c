@@ -2,7 +2,7 @@
 /* Frequencies put into a record come out of it again. */
 #include "suite.h"
 #include "theory/frequency.h"
-#include "theory/swing.h"
+#include "theory/oscillation.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -311,9 +311,9 @@ START_TEST(spectrum_shows_amplitudes)
 }
 END_TEST
 
-/* Frequency and decay put in come out, of the swing and of its square, in any column of a table, whatever the
- * first guess is off by. */
-START_TEST(swings_that_die)
+/* Frequency and decay put in come out, of the oscillation and of its square, in any column of a table,
+ * whatever the first guess is off by. */
+START_TEST(oscillations_that_decay)
 {
     static const double decays[] = {0, 0.01, 0.5, 3, -0.2};
     enum { COUNT = 800, STRIDE = 3 };
@@ -325,30 +325,32 @@ START_TEST(swings_that_die)
         squares[k] = (plain[k] - 0.004) * (plain[k] - 0.004);
     }
     for (double guess = 0.9 * omega; guess < 1.1 * omega; guess += 0.05 * omega) {
-        Swing swing;
-        ck_assert(swing_fit(table, STRIDE, COUNT, dt, guess, false, &swing));
-        ck_assert_double_eq_tol(swing.frequency, omega, 1e-9);
-        ck_assert_double_eq_tol(swing.decay, decays[_i], 1e-9);
-        ck_assert(swing_fit(squares, 1, COUNT, dt, guess, true, &swing));
-        ck_assert_double_eq_tol(swing.frequency, omega, 1e-7);
-        ck_assert_double_eq_tol(swing.decay, decays[_i], 1e-7);
-        ck_assert_double_eq_tol(swing_kept(swing.decay, swing.frequency), exp(-4 * M_PI * decays[_i] / omega),
-                                1e-6 * swing_kept(decays[_i], omega));
+        Oscillation oscillation;
+        ck_assert(oscillation_fit(table, STRIDE, COUNT, dt, guess, false, &oscillation));
+        ck_assert_double_eq_tol(oscillation.frequency, omega, 1e-9);
+        ck_assert_double_eq_tol(oscillation.decay, decays[_i], 1e-9);
+        ck_assert(oscillation_fit(squares, 1, COUNT, dt, guess, true, &oscillation));
+        ck_assert_double_eq_tol(oscillation.frequency, omega, 1e-7);
+        ck_assert_double_eq_tol(oscillation.decay, decays[_i], 1e-7);
+        ck_assert_double_eq_tol(oscillation_kept(oscillation.decay, oscillation.frequency),
+                                exp(-4 * M_PI * decays[_i] / omega),
+                                1e-6 * oscillation_kept(decays[_i], omega));
     }
     free(plain), free(table), free(squares);
 }
 END_TEST
 
-START_TEST(what_is_no_swing)
+START_TEST(what_does_not_oscillate)
 {
     double *values = record(400, 0, 0.01, 5, 0, 1, 0, 0);
-    Swing swing;
-    ck_assert(!swing_fit(values, 1, 100, 0.01, 5, false, &swing)); /* less than a period */
-    ck_assert(!swing_fit(values, 40, 10, 0.4, 5, false, &swing));  /* fewer than four samples in it */
-    ck_assert(!swing_fit(values, 1, 400, 0.01, INFINITY, false, &swing));
+    Oscillation oscillation;
+    ck_assert(!oscillation_fit(values, 1, 100, 0.01, 5, false, &oscillation)); /* less than a period */
+    ck_assert(
+        !oscillation_fit(values, 40, 10, 0.4, 5, false, &oscillation)); /* fewer than four samples in it */
+    ck_assert(!oscillation_fit(values, 1, 400, 0.01, INFINITY, false, &oscillation));
     for (size_t k = 0; k < 400; k++)
         values[k] = 7; /* at rest */
-    ck_assert(!swing_fit(values, 1, 400, 0.01, 5, false, &swing));
+    ck_assert(!oscillation_fit(values, 1, 400, 0.01, 5, false, &oscillation));
     free(values);
 }
 END_TEST
@@ -369,8 +371,8 @@ void add_cases(Suite *suite)
     tcase_add_test(fit, lines_that_are_elsewhere);
     tcase_add_loop_test(fit, the_uncertainty_is_that_of_many_records, 0, 3);
     tcase_add_test(fit, noise_is_no_frequency);
-    tcase_add_loop_test(fit, swings_that_die, 0, 5);
-    tcase_add_test(fit, what_is_no_swing);
+    tcase_add_loop_test(fit, oscillations_that_decay, 0, 5);
+    tcase_add_test(fit, what_does_not_oscillate);
     suite_add_tcase(suite, fit);
     TCase *lines = tcase_create("lines");
     tcase_add_test(lines, spectrum_shows_amplitudes);

@@ -393,7 +393,7 @@ START_TEST(boxes_beside_the_middle)
 }
 END_TEST
 
-START_TEST(modes_that_do_not_swing)
+START_TEST(modes_that_do_not_oscillate)
 {
     BarTheory bar = bar_with(FREE_FREE, 25);
     BarMesh mesh = mesh_with(MPM_BSPLINE2, 2, MPM_USF, true);
@@ -423,6 +423,6 @@ void add_cases(Suite *suite)
     tcase_add_test(mode, waves_that_share_a_frequency);
     tcase_add_test(mode, thirteen_cells);
     tcase_add_test(mode, long_bars);
-    tcase_add_test(mode, modes_that_do_not_swing);
+    tcase_add_test(mode, modes_that_do_not_oscillate);
     suite_add_tcase(suite, mode);
 }

@@ -171,7 +171,7 @@ double quantity_distance(VerifyRun *run, const VerifyRow *row)
     return 100 * sqrt(left / whole);
 }
 
-static double swing_of(const VerifyRun *run, const VerifyRow *row, const char *name)
+static double amplitude_ratio(const VerifyRun *run, const VerifyRow *row, const char *name)
 {
     const double *column = verify_column(run, name);
     double before = 0, after = 0;

@@ -17,7 +17,8 @@ Particles at t = 0. The deflection is w(x), the beam's sections stay plane and s
  *                  that syy = 0. Without it 1 - (1 - nu^2) of the energy rings through the height.
  *
  * s = D e, rho = rho0/(1 + exx + eyy). `velocity` starts the straight beam with v = omega (-Y w', w), omega =
- * (z/L)^2 h sqrt(E/(12 rho)), z = pi or that of the cantilever: the same swing a quarter of a period on. */
+ * (z/L)^2 h sqrt(E/(12 rho)), z = pi or that of the cantilever: the same oscillation a quarter of a period
+on. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/mpm/mistakes.h"

@@ -11,8 +11,8 @@
  *
  *     K x = omega^2 M_L M_C^-1 M_L x,      x <- K^-1 M_L M_C^-1 M_L x  (inverse iteration),
  *
- * swings with Omega = (2/dt) asin(omega dt/2) where alpha = 1; with w^2 = x'Kx / x'M_L x, F = omega^2/w^2 and
- * g = alpha + (1 - alpha) F in general
+ * oscillates with Omega = (2/dt) asin(omega dt/2) where alpha = 1; with w^2 = x'Kx / x'M_L x, F = omega^2/w^2
+ * and g = alpha + (1 - alpha) F in general
  *
  *     cos(Omega dt) = tr/(2 sqrt(det)),   USF, MUSL: tr = g + 1 - F w^2 dt^2,  det = g
  *                                         USL: tr = g + 1 - w^2 dt^2,  det = g (1 - w^2 dt^2) + F w^2 dt^2.

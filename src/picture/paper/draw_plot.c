@@ -238,8 +238,8 @@ static void draw_strokes(const Frame *frame)
     if (!places)
         return;
     for (int i = 0; i < plot->n_strokes; i++) {
-        /* A curve that swings so fast that it fills an area would hide all others: it lies behind them, and
-         * paler. */
+        /* A curve that oscillates so fast that it fills an area would hide all others: it lies behind them,
+         * and paler. */
         const Stroke *stroke = &plot->strokes[i];
         const double *points = frame->picture->plot.points + 2 * stroke->first;
         double way = 0;

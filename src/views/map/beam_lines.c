@@ -114,7 +114,7 @@ bool beam_lines(const Screen *screen, char first[160], char second[160])
     else if (experiment_readout(screen->experiment)->unaccounted)
         snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->unaccounted);
     else if (isfinite(experiment_readout(screen->experiment)->decay_exact)) {
-        /* A swing that dies: how fast, and how fast it swings meanwhile, beside theory. */
+        /* An oscillation that dies: how fast, and how fast it oscillates meanwhile, beside theory. */
         const Readout *readout = experiment_readout(screen->experiment);
         const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
         snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
@@ -143,8 +143,8 @@ bool beam_lines(const Screen *screen, char first[160], char second[160])
             if (screen_shows_exact(screen))
                 text_append(first, 160, "  modal %.1f", 1 / readout->exact);
             if (screen_shows_exact(screen))
-                text_append(second, 160, "last period %+.2f %%  %s by %.3f T", readout->error_period,
-                            readout->late < 0 ? "early" : "late", fabs(readout->late));
+                text_append(second, 160, "last period %+.2f %%  %.3f T %s", readout->error_period,
+                            fabs(readout->late), readout->late < 0 ? "ahead" : "behind");
         } else {
             text_append(first, 160, "  f measuring");
         }

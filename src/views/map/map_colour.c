@@ -169,7 +169,7 @@ bool map_colour(Map *map, MapVariant variant)
         if (density)
             scale = 1 / (map->body.spacing * map->body.spacing *
                          (map->scene.bodies ? 1 : settings_geometry(map->settings)->thickness));
-        else if (travels) /* of a section that turns about its middle by the slope of the swing */
+        else if (travels) /* of a section that turns about its middle by the slope of the oscillation */
             reach = fmax(fmax(-least, most), map_reach(map, map->sim->displacement[1], map->uy) *
                                                  map->body.size[1] /
                                                  (2 * settings_geometry(map->settings)->length));

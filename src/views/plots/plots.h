@@ -100,7 +100,7 @@ void time_plot_window(const Screen *, double *from, double *to);
 void time_plot_curve(Picture *, const TimeCurve *);
 
 /* The distance of rows at which a whole record is looked through for the range of an axis: a picture must not
- * take longer because the run is long. Axes are rounded up, and swings have many rows. */
+ * take longer because the run is long. Axes are rounded up, and oscillations have many rows. */
 size_t time_plot_stride(const Record *);
 
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */

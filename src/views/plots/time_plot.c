@@ -10,8 +10,9 @@ static double automatic_window(const Screen *screen, double end)
 {
     enum { PERIODS = 4 };
     const Readout *readout = experiment_readout(screen_clock_run(screen));
-    const double window =
-        readout->swing > 0 && !readout->drifting ? axis_step_up(PERIODS * readout->swing) : end;
+    const double window = readout->nominal_period > 0 && !readout->drifting
+                              ? axis_step_up(PERIODS * readout->nominal_period)
+                              : end;
     return window < end ? window : end;
 }
 

@@ -12,7 +12,7 @@
  * motion, but its energy is lost from the ledger at whole steps.) A beam that leaves its channel is braked
  * in its own frame, which moves with v0.
  *
- * A mode of frequency omega decays as exp(-alpha t/2) and swings with sqrt(omega^2 - alpha^2/4), so the
+ * A mode of frequency omega decays as exp(-alpha t/2) and oscillates with sqrt(omega^2 - alpha^2/4), so the
  * lowest one lasts longest, and least long at alpha = 2 omega_1: critical damping.
  *
  * Weight is a body force rho b on every node from t = 0 on; its work is b's at v^{n+1/2}, as that of the
@@ -20,9 +20,9 @@
  *
  * Rest: the kinetic energy is below 1e-10 of its largest, and where alpha < 2 omega_1 stays there for half a
  * period, since it vanishes at each turning point too (where nothing holds the body and omega_1 is not known,
- * for 2 pi/alpha: no mode that swings, omega > alpha/2, has a longer half period); and nothing that will move
- * it again lies ahead: a load that still grows or will be let go, a change that was ordered. Looked for every
- * BEAM_REST_EVERY steps. The displacements are then those of rest to some 4e-6. */
+ * for 2 pi/alpha: no mode that oscillates, omega > alpha/2, has a longer half period); and nothing that will
+ * move it again lies ahead: a load that still grows or will be let go, a change that was ordered. Looked for
+ * every BEAM_REST_EVERY steps. The displacements are then those of rest to some 4e-6. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "methods/bonds/plane/bonds_modes.h"
@@ -162,7 +162,8 @@ static void come_to_rest(Beam *beam, long step)
     beam_report(beam, EVENT_REST, step, "at rest: the kinetic energy is below 1e-10 of its largest");
 }
 
-bool beam_asks_for_rest(const Beam *beam, long step)
+/* Whether rest is looked for at the end of the step of this number. */
+static bool beam_asks_for_rest(const Beam *beam, long step)
 {
     ASSERT_INT(step, >=, 0);
     return beam->def.to_rest && step % BEAM_REST_EVERY == 0;
