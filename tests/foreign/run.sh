@@ -1,12 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tables as courses write them (make.py) get the verdict of the list at first try, none wrongly named and no wrong code
-# acquitted; so do some of codes drawn at random (drawn): bars, bars and beams by bonds, beams of cells.
+# acquitted; so do some of codes drawn at random (drawn): bars, bars and beams by bonds, beams of cells. Every third
+# of each list, and all with MATVIB_WIDE.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 list=$scratch/list
-cat "$MATVIB_SRCDIR/tests/foreign/list" "$MATVIB_SRCDIR/tests/foreign/drawn" >"$list"
-grep -v '^#' "$list" | cut -d'|' -f4 | sort -u >settings
+cat "$MATVIB_SRCDIR/tests/foreign/list" "$MATVIB_SRCDIR/tests/foreign/drawn" | grep -v '^#' |
+	awk -v every=${MATVIB_WIDE:+1} '(NR + 1) % (every ? every : 3) == 0' >"$list"
+tables=$(wc -l <"$list")
+cut -d'|' -f4 "$list" | sort -u >settings
 while read -r scenario sets; do
 	wanted=$scenario${sets:+ $sets}
 	# shellcheck disable=SC2046
@@ -15,7 +18,7 @@ while read -r scenario sets; do
 	"$MATVIB" diagnose "$scenario" "$@" $sets --output judged.csv --force --quiet >said 2>>errors
 	cat judged.csv
 done <settings >all.csv
-awk -F'|' 'NR == FNR { if (!/^#/) { verdict[$1] = $2; what[$1] = $3 } next }
+awk -F'|' 'NR == FNR { verdict[$1] = $2; what[$1] = $3; next }
 	{ n = split($0, cell, ","); file = cell[1]; sub(/.*\//, "", file) }
 	file in verdict {
 		got = cell[2]; seen++
@@ -35,8 +38,9 @@ grep '^#' counts
 read -r seen good misnamed acquitted <<END
 $(tail -n 1 counts)
 END
-result "all tables of the corpus are read" test "$seen" -eq 143
-result "of 143 tables $good are judged rightly" test "$good" -eq 143
+result "the corpus has tables" test "$tables" -ge 40
+result "all tables of the corpus are read" test "$seen" -eq "$tables"
+result "of $tables tables $good are judged rightly" test "$good" -eq "$tables"
 result "none has a wrong name" test "$misnamed" -eq 0
 result "no wrong code is acquitted" test "$acquitted" -eq 0
 echo "1..$number"
