@@ -67,7 +67,10 @@ names = {}
 for cell in json.load(open(os.environ["MATVIB_SRCDIR"] + "/python/matvib.ipynb"))["cells"]:
     if cell["cell_type"] == "code":
         exec("".join(cell["source"]), names)
-assert names["verdict"]["verdict"] == "right" and names["verdict"]["scheme"] == "USL", names["verdict"]
-assert abs(names["errors"][1]) > 3 * abs(names["errors"][0.5])
+assert names["right"]["verdict"] == "right" and names["right"]["scheme"] == "USL", names["right"]
+assert names["wrong"]["mistake"] == ["volume_of_cell"], names["wrong"]
+assert 3.3 < names["errors"][1] / names["errors"][0.5] < 4.7, names["errors"]
+assert len(names["series"]["v_cm_exact"]) == len(names["series"]["time"]) == 1201
+assert abs(names["fitted"]["value"] - 110) < 3 * names["fitted"]["half_width_95"] < 0.1, names["fitted"]
 END
 echo "1..$number"
