@@ -106,8 +106,44 @@ static bool deeper(Parser *parser)
                          DEPTH_MAX);
 }
 
-static bool read_sum(Parser *);
-static bool read_truth(Parser *);
+/* Signs between two sides, by how close they bind; a side is a truth or a number. */
+enum { OR, AND, RELATION, SUM, PRODUCT, LEVELS };
+
+typedef struct Sign {
+    const char *token;
+    ExpressionVerb verb;
+    int level;
+} Sign;
+
+static const Sign signs[] = {{"or", STEP_OR, OR},           {"and", STEP_AND, AND},
+                             {"<", STEP_LESS, RELATION},    {"<=", STEP_NOT_MORE, RELATION},
+                             {">", STEP_MORE, RELATION},    {">=", STEP_NOT_LESS, RELATION},
+                             {"=", STEP_EQUAL, RELATION},   {"!=", STEP_UNEQUAL, RELATION},
+                             {"+", STEP_ADD, SUM},          {"-", STEP_SUBTRACT, SUM},
+                             {"*", STEP_MULTIPLY, PRODUCT}, {"/", STEP_DIVIDE, PRODUCT}};
+
+/* The sign that comes next, if it binds so close; NULL: it does not. */
+static const Sign *sign_at(const Parser *parser, int level)
+{
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        if (signs[i].level == level && is(parser, signs[i].token))
+            return &signs[i];
+    return NULL;
+}
+
+static bool check(Parser *parser, bool truth, bool wanted)
+{
+    return truth == wanted || (wanted ? expected(parser, "a relation (< <= > >= = !=)")
+                                      : status_refuse(parser->status, "a number is wanted, not a relation"));
+}
+
+static bool read_level(Parser *, int level, bool *truth);
+
+static bool read_number_at(Parser *parser, int level)
+{
+    bool truth;
+    return read_level(parser, level, &truth) && check(parser, truth, false);
+}
 
 static bool read_word(Parser *parser, bool was)
 {
@@ -141,19 +177,20 @@ static bool read_number(Parser *parser)
     return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = value, .percent = percent});
 }
 
-static bool read_factor(Parser *parser)
+static bool read_factor(Parser *parser, bool *truth)
 {
     bool sound;
+    *truth = false;
     if (!deeper(parser))
         return false;
     if (take(parser, "-")) {
-        sound = read_factor(parser) && put(parser, (ExpressionStep){.kind = STEP_MINUS});
+        sound = read_number_at(parser, LEVELS) && put(parser, (ExpressionStep){.kind = STEP_MINUS});
     } else if (take(parser, "abs")) {
-        sound = (take(parser, "(") || expected(parser, "( behind abs")) && read_sum(parser) &&
+        sound = (take(parser, "(") || expected(parser, "( behind abs")) && read_number_at(parser, SUM) &&
                 (take(parser, ")") || expected(parser, ")")) &&
                 put(parser, (ExpressionStep){.kind = STEP_ABS});
     } else if (take(parser, "(")) {
-        sound = read_sum(parser) && (take(parser, ")") || expected(parser, ")"));
+        sound = read_level(parser, OR, truth) && (take(parser, ")") || expected(parser, ")"));
     } else if (take(parser, "was")) {
         sound = is_letter(*parser->token) ? read_word(parser, true)
                                           : expected(parser, "a parameter or a word of the mesh behind was");
@@ -163,30 +200,6 @@ static bool read_factor(Parser *parser)
         sound = read_number(parser);
     }
     parser->depth--;
-    return sound;
-}
-
-static bool read_product(Parser *parser)
-{
-    bool sound = read_factor(parser);
-    while (sound && (is(parser, "*") || is(parser, "/"))) {
-        const bool times = is(parser, "*");
-        next(parser);
-        sound =
-            read_factor(parser) && put(parser, (ExpressionStep){.kind = times ? STEP_MULTIPLY : STEP_DIVIDE});
-    }
-    return sound;
-}
-
-static bool read_sum(Parser *parser)
-{
-    bool sound = read_product(parser);
-    while (sound && (is(parser, "+") || is(parser, "-"))) {
-        const bool plus = is(parser, "+");
-        next(parser);
-        sound =
-            read_product(parser) && put(parser, (ExpressionStep){.kind = plus ? STEP_ADD : STEP_SUBTRACT});
-    }
     return sound;
 }
 
@@ -206,89 +219,70 @@ static bool read_choice(Parser *parser, const Parameter *key)
     return status_refuse(parser->status, "%s is compared with one of its choices (%s)", key->key, known);
 }
 
-/* A relation between two sums, or between a parameter and one of its choices. */
-static bool read_relation(Parser *parser)
+/* The parameter with choices that is all of a side, which began with this step; NULL: it is none. */
+static const Parameter *choice_at(const Parser *parser, int first)
 {
-    static const struct {
-        const char *token;
-        ExpressionVerb kind;
-    } relations[] = {{"<", STEP_LESS},      {"<=", STEP_NOT_MORE}, {">", STEP_MORE},
-                     {">=", STEP_NOT_LESS}, {"=", STEP_EQUAL},     {"!=", STEP_UNEQUAL}};
-    const int first = parser->out->n_steps;
-    if (!read_sum(parser))
-        return false;
     const ExpressionStep *step = &parser->out->steps[first];
     const bool has_words = parser->out->n_steps == first + 1 && step->kind == STEP_KEY &&
                            (step->key->type == PARAMETER_CHOICE || step->key->type == PARAMETER_FLAG);
-    const Parameter *key = has_words ? step->key : NULL;
-    for (size_t i = 0; i < sizeof relations / sizeof *relations; i++) {
-        if (!is(parser, relations[i].token))
-            continue;
-        if (key && relations[i].kind != STEP_EQUAL && relations[i].kind != STEP_UNEQUAL)
-            return expected(parser, "= or !=");
-        next(parser);
-        return (key ? read_choice(parser, key) : read_sum(parser)) &&
-               put(parser, (ExpressionStep){.kind = relations[i].kind});
-    }
-    return expected(parser, "a relation (< <= > >= = !=)");
+    return has_words ? step->key : NULL;
 }
 
-/* Whether this parenthesis holds a relation, so that it is one of truths. */
-static bool holds_truth(const Parser *parser)
+/* Sides with the signs of a level between them, from the left; a relation has two. */
+static bool read_level(Parser *parser, int level, bool *truth)
 {
-    int open = 1;
-    for (const char *c = parser->at; *c && open > 0; c++) {
-        open += (*c == '(') - (*c == ')');
-        if (open > 0 && strchr("<>=", *c))
-            return true;
-    }
-    return false;
-}
-
-static bool read_claim(Parser *parser)
-{
-    bool sound;
-    if (!deeper(parser))
+    const int first = parser->out->n_steps;
+    const bool joins_truths = level < RELATION;
+    const Sign *sign;
+    if (level == LEVELS)
+        return read_factor(parser, truth);
+    if (!read_level(parser, level + 1, truth))
         return false;
-    if (is(parser, "(") && holds_truth(parser)) {
+    while ((sign = sign_at(parser, level)) != NULL) {
+        const Parameter *key = level == RELATION ? choice_at(parser, first) : NULL;
+        bool right = false;
+        if (key && strchr("<>", *sign->token))
+            return expected(parser, "= or !=");
+        if (!check(parser, *truth, joins_truths))
+            return false;
         next(parser);
-        sound = read_truth(parser) && (take(parser, ")") || expected(parser, ")"));
-    } else {
-        sound = read_relation(parser);
+        if (!(key ? read_choice(parser, key) : read_level(parser, level + 1, &right)) ||
+            (!key && !check(parser, right, joins_truths)) ||
+            !put(parser, (ExpressionStep){.kind = sign->verb}))
+            return false;
+        *truth = level <= RELATION;
+        if (level == RELATION)
+            break;
     }
-    parser->depth--;
-    return sound;
+    return true;
 }
 
-static bool read_either(Parser *parser)
-{
-    bool sound = read_claim(parser);
-    while (sound && take(parser, "or"))
-        sound = read_claim(parser) && put(parser, (ExpressionStep){.kind = STEP_OR});
-    return sound;
-}
-
-static bool read_truth(Parser *parser)
-{
-    bool sound = read_either(parser);
-    while (sound && take(parser, "and"))
-        sound = read_either(parser) && put(parser, (ExpressionStep){.kind = STEP_AND});
-    return sound;
-}
-
-/* A goal is a list of claims, each of which is told by itself where it does not hold. */
+/* A goal is a list of claims, each of which is told by itself where it does not hold; with "or" between them
+ * it is one. */
 static bool read_claims(Parser *parser)
 {
     Expression *out = parser->out;
+    bool truth;
     do {
         const int text = parser->token_start, first = out->n_steps;
         if (out->n_claims == EXPRESSION_CLAIMS_MAX)
             return status_refuse(parser->status, "asks for too much (at most %d things)",
                                  EXPRESSION_CLAIMS_MAX);
-        if (!read_either(parser))
+        if (!read_level(parser, RELATION, &truth) || !check(parser, truth, true))
             return false;
         out->claims[out->n_claims++] = (ExpressionClaim){text, parser->last_end - text, first, out->n_steps};
     } while (take(parser, "and"));
+    if (!is(parser, "or"))
+        return true;
+    for (; out->n_claims > 1; out->n_claims--)
+        if (!put(parser, (ExpressionStep){.kind = STEP_AND}))
+            return false;
+    while (take(parser, "or"))
+        if (!read_level(parser, AND, &truth) || !check(parser, truth, true) ||
+            !put(parser, (ExpressionStep){.kind = STEP_OR}))
+            return false;
+    out->claims[0].length = parser->last_end - out->claims[0].text;
+    out->claims[0].end = out->n_steps;
     return true;
 }
 
@@ -300,7 +294,7 @@ bool expression_read(const char *text, ExpressionKind kind, Expression *out, Sta
     strcpy(out->text, text);
     Parser parser = {.out = out, .at = out->text, .status = status};
     next(&parser);
-    return (kind == EXPRESSION_TRUTH ? read_claims(&parser) : read_sum(&parser)) &&
+    return (kind == EXPRESSION_TRUTH ? read_claims(&parser) : read_number_at(&parser, SUM)) &&
            (!*parser.token || expected(&parser, kind == EXPRESSION_TRUTH ? "and, or" : "+ - * /"));
 }
 
@@ -326,32 +320,13 @@ static double as_told(double number)
     return strtod(text_rounded(number, EXPRESSION_DIGITS).text, NULL);
 }
 
-static bool relates(ExpressionVerb relation, double a, double b)
+/* The truth of a relation or the number of a sign, from what stands left and right of it; what is not known
+ * fulfils no relation. */
+static double combine(ExpressionVerb verb, double a, double b)
 {
-    if (isnan(a) || isnan(b))
-        return false;
     const bool whole = a == floor(a) && b == floor(b);
     const bool same = a == b || (!whole && as_told(a) == as_told(b));
-    switch (relation) {
-    case STEP_LESS:
-        return a < b;
-    case STEP_NOT_MORE:
-        return a < b || same;
-    case STEP_MORE:
-        return a > b;
-    case STEP_NOT_LESS:
-        return a > b || same;
-    case STEP_EQUAL:
-        return same;
-    default:
-        return !same;
-    }
-}
-
-/* The truth of a relation or the number of a sign, from what stands left and right of it. */
-static double combine(const ExpressionStep *step, double a, double b)
-{
-    switch (step->kind) {
+    switch (verb) {
     case STEP_ADD:
         return a + b;
     case STEP_SUBTRACT:
@@ -364,8 +339,18 @@ static double combine(const ExpressionStep *step, double a, double b)
         return a != 0 && b != 0;
     case STEP_OR:
         return a != 0 || b != 0;
+    case STEP_LESS:
+        return a < b;
+    case STEP_NOT_MORE:
+        return a < b || same;
+    case STEP_MORE:
+        return a > b;
+    case STEP_NOT_LESS:
+        return a > b || same;
+    case STEP_EQUAL:
+        return same;
     default:
-        return relates(step->kind, a, b);
+        return !same && !isnan(a) && !isnan(b);
     }
 }
 
@@ -383,7 +368,7 @@ double expression_part(const Expression *expression, int first, int end, const E
             stack[top - 1] = step->kind == STEP_MINUS ? -a : fabs(a);
         } else {
             const double b = stack[--top];
-            stack[top - 1] = combine(step, stack[top - 1], b);
+            stack[top - 1] = combine(step->kind, stack[top - 1], b);
         }
     }
     return top > 0 ? stack[0] : NAN;

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What an exercise asks of a run, as a line of text: "abs(error) < 1 and cells <= 60 and dt >= was dt".
  *
- *     truth    either { "and" either }
- *     either   claim { "or" claim }
+ *     truth    claim { "and" claim } { "or" claim { "and" claim } }
  *     claim    sum relation sum | KEY ("=" | "!=") WORD | "(" truth ")"
  *     relation "<" | "<=" | ">" | ">=" | "=" | "!="
  *     sum      product { ("+" | "-") product }
@@ -11,9 +10,8 @@
  *
  * WORD is a number of a run (run_numbers.h), KEY a parameter ("mesh.cell_size"); a parameter with choices is
  * compared with one of them. The rows of a plate ("loads.top.sy") are no parameters and cannot be asked for.
- * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "or" binds closer
- * than "and", so that what a goal asks for can be read off as a list. A % behind a number only says its unit:
- * errors are in percent already. What is not known fulfils no relation. */
+ * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "and" binds closer
+ * than "or". A % behind a number only says its unit: errors are in percent already. What is not known fulfils no relation. */
 #ifndef LESSONS_EXPRESSION_H
 #define LESSONS_EXPRESSION_H
 
