@@ -3,7 +3,7 @@
  * yardstick is a plain loop over particles and their nodes, measured in the same run: it is ours, as no
  * program of the distribution solves this problem. All are measured in turn, several times, and the best
  * counts, since the machine may have other work. */
-#include "methods/mpm/plane_inner.h"
+#include "methods/mpm/engine.h"
 #include "methods/default_defs.h"
 
 #include <math.h>

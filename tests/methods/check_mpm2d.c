@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beams by the material point method: what their mesh predicts, conservation, symmetry, limits, bits, ends.
  */
+#include "methods/mpm/engine.h"
 #include "methods/default_defs.h"
 #include "methods/mpm/plane_modes.h"
-#include "methods/mpm/plane_inner.h"
 #include "methods/run_case.h"
 #include "suite.h"
 #include "theory/frequency.h"

@@ -6,7 +6,6 @@
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/mpm/bodies_inner.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <stdlib.h>
 #include <string.h>

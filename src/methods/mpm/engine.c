@@ -4,7 +4,6 @@
 #include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <limits.h>
 

@@ -413,10 +413,6 @@ MPM_INLINE void mpm_line_velocities(const MpmShape shape, const double *of, cons
 bool mpm_positive(double value, const char *key, Status *);
 bool mpm_within(int value, int low, int high, const char *key, Status *);
 
-/* --- small.c ---------------------------------------------------------------------------------------- */
-
-size_t mpm_small(Simulation *, double *x, double unit, bool put);
-
 /* --- mass.c: velocities where masses are not lumped ------------------------------------------------- */
 
 void mpm_factor(Mpm *);
@@ -451,6 +447,7 @@ typedef struct MpmMaker {
 Simulation *mpm_create(Mpm *mpm, const MpmMaker *, const int mistakes[2], int threads, Status *);
 void mpm_destroy(Simulation *);
 void mpm_take_schedule(Mpm *);
+size_t mpm_small(Simulation *, double *x, double unit, bool put);
 size_t mpm_state_size(const Simulation *);
 void mpm_load(Simulation *, const void *bytes);
 size_t mpm_lasting_bytes(const Mpm *, const MpmHead *); /* of the state that lasts from step to step */
@@ -514,5 +511,26 @@ extern const char *const mpm_on_request[];
 double mpm_line_null_energy(const Mpm *); /* null.c */
 
 bool mpm_fail_particle(Mpm *, Status *, int particle, const char *what);
+
+/* --- beams: plane_*.c -------------------------------------------------------------------------------- */
+
+/* Columns of cells whose particles are worked on together: some chunks for threads to share, each with rows
+ * long enough to be read ahead. */
+static inline int plane_chunk_cells(int columns)
+{
+    const int cells = columns / 16;
+    return cells < 8 ? 8 : cells > 64 ? 64 : cells;
+}
+
+void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
+unsigned plane_held(const Mpm *, long step, int column, int row);
+
+double plane_strain_at(const Mpm *, int particle); /* strain energy, J */
+
+/* The kinetic energy that no velocities of the grid can give (J); the grid stands as after map and supports.
+ * Its scratch, and whether it takes so long that it is left out. */
+size_t plane_null_numbers(const Mpm *);
+bool plane_null_pays(const Mpm *);
+double plane_null_energy(const Mpm *, double kinetic);
 
 #endif

@@ -8,7 +8,6 @@
 #include "methods/axial.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 typedef enum FieldKind {
     P_X0, /* of P_X0 to P_STRESS and most of a node one for each direction */

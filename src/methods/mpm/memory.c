@@ -2,9 +2,9 @@
 /* The engine's memory and state: one block of arrays, of which a snapshot between steps is the first part,
  * the particles, in the middle of a step all of it. Then what is asked of the state in mid-step, whatever the
  * order of the stages: for what front ends read; the stages themselves need little of it. */
+#include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -196,4 +196,26 @@ void mpm_load(Simulation *sim, const void *bytes)
         mpm_find_all(mpm);
     mpm_find_held(mpm, sim->step);
     mpm_take_schedule(mpm);
+}
+
+/* Small motion of particles that stay in their places: their state as a vector, of which |x|^2 is twice the
+ * energy, sum m v^2 + V stress^2/E (method.h). With APIC also m (dx C/2)^2; its D is dx^2/4 or near it. */
+size_t mpm_small(Simulation *sim, double *x, double unit, bool put)
+{
+    Mpm *mpm = mpm_of(sim);
+    double *const arrays[] = {mpm->v[0], mpm->stress[0], mpm->affine};
+    const int parts = mpm->head->transfer == MPM_APIC ? 3 : 2, count = mpm->n_particles;
+    ASSERT_INT(mpm->dim, ==, 1);
+    for (int k = 0; k < parts && x; k++)
+        for (int p = 0; p < count; p++) {
+            const double root = sqrt(mpm_mass(mpm, p));
+            const double scale = k == 0   ? root
+                                 : k == 1 ? unit * sqrt(mpm->volume[p] / mpm_modulus(mpm, p))
+                                          : root * mpm->dx / 2.0;
+            if (put)
+                arrays[k][p] = x[k * count + p] / scale;
+            else
+                x[k * count + p] = arrays[k][p] * scale;
+        }
+    return (size_t)parts * (size_t)count;
 }

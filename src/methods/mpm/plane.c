@@ -22,7 +22,6 @@ on. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -149,7 +148,7 @@ static bool begin(Mpm *mpm, Status *status)
         return status_refuse(
             status, "initial.amplitude: %g bends the beam out of its grid (less, or more mesh.padding)",
             mpm->plane.amplitude);
-    mpm->energy_start = plane_energy(mpm);
+    mpm->energy_start = mpm_energy(mpm);
     return isfinite(mpm->energy_start) ||
            status_refuse(status, "initial.amplitude: the energy is no finite number");
 }
@@ -186,7 +185,7 @@ static const Method method = {MPM_METHOD, .on_request = mpm_on_request, .change 
 Simulation *plane_create(const PlaneDef *definition, Status *status)
 {
     static const MpmMaker maker = {"beam",       &method, HAS_PLANE | HAS_MESH,
-                                   plane_derive, begin,   plane_set_series};
+                                   plane_derive, begin,   mpm_set_series};
     ASSERT(plane_check(definition, NULL));
     Mpm *mpm = calloc(1, sizeof *mpm);
     if (mpm)

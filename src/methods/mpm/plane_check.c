@@ -2,7 +2,6 @@
 /* The definition of a beam by the material point method: whether it is sound. Each line
  * names the key as in a scenario file, what is wrong and what is allowed. */
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <math.h>
 

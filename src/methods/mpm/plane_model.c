@@ -3,7 +3,6 @@
  * = dx/P, dt, the constants of plane stress, the probe; and what its supports hold. The grid has `padding`
  * cells all round, and on the right as many more as a cantilever gets ahead of it. */
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 /* The mean of the middle two rows: over the two columns beside mid-span, or in the last column. */
 static void set_probe(Mpm *mpm)

@@ -25,11 +25,11 @@
  * W and M_L^-1 - W symmetric and not negative, so that Lanczos' method in the product of K finds the largest
  * eigenvalue. Held components are left out throughout. Source for both iterations: B. N. Parlett, The
  * Symmetric Eigenvalue Problem (1998), chapters 4 and 13. */
+#include "methods/mpm/engine.h"
 #include "methods/mpm/plane_modes.h"
 
 #include "base/linear.h"
 #include "base/math/functions.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -14,8 +14,8 @@
  *
  * A column of nodes can go once all particles that touch it are there: so there are never more columns of the
  * matrix at hand than a particle touches, and they stay in the cache. */
-#include "methods/mpm/plane_inner.h"
 
+#include "methods/mpm/engine.h"
 #include <string.h>
 
 /* Columns and rows of the grid that particles touch. */

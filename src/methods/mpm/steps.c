@@ -3,7 +3,6 @@
  * batches (batch.h). */
 #include "base/assertion.h"
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/plane_inner.h"
 
 #include <limits.h>
 #include <string.h>
