@@ -5,11 +5,14 @@
 #define ANSWERS_BAR_ANSWERS_H
 
 #include "answers/dispersion_curves.h"
-#include "answers/bar_theory.h"
 #include "answers/step_modes.h"
 #include "problems/solver.h"
 #include "theory/bar_motion.h"
 #include "theory/frequency.h"
+#include "methods/mpm/mpm_bar.h"
+#include "scenario/assignment.h"
+#include "methods/bonds/plane/bonds_plane.h"
+#include "theory/elastic_bar.h"
 
 /* On which column the bar's frequency is measured, and what it should be. */
 typedef struct BarWatch {
@@ -114,5 +117,20 @@ void bar_derived_step(Derived out[DERIVED_MAX], int *n, double speed, double dt)
  * if one moves. */
 void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *, const BarTheory *, BarFrequency *,
                       double dt);
+
+/* The bar between its settings and its theory: for what needs the theory directly (a
+ * dispersion plot, a table of verification). */
+
+/* The bar with its modes and loads. False: its overtones cannot be read. */
+bool bar_theory_of(const Settings *, BarTheory *, Status *);
+
+/* The bar as its engine by the material point method wants it, at rest. */
+BarDef bar_mpm_definition(const Settings *);
+
+/* The same bar on a lattice of bonded nodes. */
+BeamDef bar_pd_definition(const Settings *);
+
+/* dt = courant * dx / c, eq. 21. */
+double bar_time_step(const Settings *);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* E*, the energy that a scheme keeps to round-off while kinetic + strain ripples (invariant.h): hands the
- * questions on to the solver; the sums are in problems/bar_invariant.c. With USF E* = sum m v^n
+ * questions on to the solver; the sums are in bar_answers.c. With USF E* = sum m v^n
  * v^{n+1}/2 + strain(stress^{n+1}). */
 #include "answers/invariant.h"
 #include "base/assertion.h"

@@ -10,7 +10,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/mpm_bar.h"
-#include "problems/solvers.h"
+#include "problems/solver.h"
 #include "theory/bar_waves.h"
 #include "theory/oscillation.h"
 

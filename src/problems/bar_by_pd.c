@@ -9,7 +9,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "methods/mpm/mpm_bar.h"
-#include "problems/solvers.h"
+#include "problems/solver.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "theory/pd_waves.h"
 

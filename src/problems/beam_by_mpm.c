@@ -6,8 +6,8 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "problems/solvers.h"
-#include "methods/mpm/plane_modes.h"
+#include "problems/solver.h"
+#include "methods/mpm/plane.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -222,7 +222,7 @@ static const char *const energy_changes[] = {"mpm.algorithm", "mpm.flip_fraction
                  [REFERENCE_FREQUENCY] = {of_any_start, changes},                                            \
                  [REFERENCE_ENERGY] = {of_energy, energy_changes}}
 
-/* A mesh of splines has lower modes than the beam's (plane_modes.h). */
+/* A mesh of splines has lower modes than the beam's (plane_modes.c). */
 static const char *unaccounted(const Settings *settings, Reference reference)
 {
     const bool spline = settings_transfer(settings)->shape == MPM_BSPLINE2;

@@ -6,8 +6,8 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "problems/solvers.h"
-#include "methods/bonds/plane/bonds_modes.h"
+#include "problems/solver.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "methods/bonds/cracks/crack.h"
 
 #include <math.h>

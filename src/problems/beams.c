@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beams in the plane, supported, leaving a channel, notched and bent; and the plate. */
-#include "problems/solvers.h"
+#include "problems/solver.h"
 #include "base/kinds.h"
 #include "scenario/parameters.h"
 

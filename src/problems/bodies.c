@@ -4,7 +4,7 @@
 #include "base/math/functions.h"
 #include "methods/mpm/bodies.h"
 #include "problems/bodies_answers.h"
-#include "problems/solvers.h"
+#include "problems/solver.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"

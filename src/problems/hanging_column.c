@@ -6,7 +6,7 @@
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "methods/mpm/mpm_bar.h"
-#include "problems/solvers.h"
+#include "problems/solver.h"
 #include "theory/bar_motion.h"
 #include "base/math/functions.h"
 

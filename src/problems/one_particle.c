@@ -7,7 +7,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "methods/mpm/mpm_bar.h"
-#include "problems/solvers.h"
+#include "problems/solver.h"
 #include "theory/oscillator.h"
 #include "base/math/functions.h"
 

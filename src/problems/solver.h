@@ -5,6 +5,7 @@
 #define PROBLEMS_SOLVER_H
 
 #include "answers/references.h"
+#include "problems/problem.h"
 
 /* A column of the series: a number of the method's row, or an answer worked out beside it. */
 typedef double Answer(References *, long step, double time, const double *row);
@@ -74,5 +75,18 @@ void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference, const c
 
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer);
+
+/* For the rows of problems: their parameters, and the solvers that there are. */
+
+/* The head of a ParameterUse. */
+#define USE(name, value) .key = name, .usual = value
+
+/* Of a problem: its parameters, and that numbers are in units of one's own. */
+#define USES(rows)   .uses = rows, .n_uses = sizeof rows / sizeof *rows
+#define IN_OWN_UNITS .answer = "exact", .unit_of_time = "time", .shown_time = 1, .shown_time_unit = ""
+
+extern const Solver bar_by_mpm, bar_by_pd;
+extern const Solver beam_by_mpm_supported, beam_by_mpm_moving;
+extern const Solver beam_by_pd_supported, beam_by_pd_moving, beam_by_pd_notched, beam_by_pd_plate;
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Who solves a problem by which method. */
-#include "problems/solvers.h"
+#include "problems/problem.h"
 #include "scenario/settings.h"
 
 const Solver *problem_solver(const Problem *problem, MethodKind method)

@@ -3,7 +3,7 @@
  */
 #include "methods/mpm/engine.h"
 #include "methods/default_defs.h"
-#include "methods/mpm/plane_modes.h"
+#include "methods/mpm/plane.h"
 #include "methods/run_case.h"
 #include "suite.h"
 #include "theory/frequency.h"

@@ -4,7 +4,7 @@
 #include "base/linear.h"
 #include "methods/beam_case.h"
 #include "methods/default_defs.h"
-#include "methods/bonds/plane/bonds_modes.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "methods/bonds/cracks/crack.h"
 #include "suite.h"
 

@@ -3,7 +3,7 @@
  * rest by one solution. */
 #include "methods/beam_case.h"
 #include "methods/default_defs.h"
-#include "methods/bonds/plane/bonds_modes.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "methods/bonds/plane/plate/patches.h"
 #include "suite.h"
 #include "theory/elastic_beam.h"

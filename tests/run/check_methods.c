@@ -2,7 +2,7 @@
 /* One bar by two methods: which keys each has, how a scenario changes from one to the other, and what stands
  * beside a run by peridynamics. */
 #include "base/text.h"
-#include "answers/bar_theory.h"
+#include "answers/bar_answers.h"
 #include "scenario/parameters.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"

@@ -7,7 +7,7 @@
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "answers/bar_theory.h"
+#include "answers/bar_answers.h"
 #include "answers/known.h"
 #include "scenario/scenario.h"
 #include "run/lab_case.h"

@@ -525,7 +525,7 @@ static inline int plane_chunk_cells(int columns)
 void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
 unsigned plane_held(const Mpm *, long step, int column, int row);
 
-double plane_strain_at(const Mpm *, int particle); /* strain energy, J */
+double mpm_strain_at(const Mpm *, int particle); /* strain energy, J */
 
 /* The kinetic energy that no velocities of the grid can give (J); the grid stands as after map and supports.
  * Its scratch, and whether it takes so long that it is left out. */

@@ -237,7 +237,7 @@ static double stress_across(const Mpm *mpm, int p)
 
 static double strain_energy(const Mpm *mpm, int p)
 {
-    return mpm->bodies ? bodies_strain_at(mpm, p) : plane_strain_at(mpm, p);
+    return mpm->bodies ? bodies_strain_at(mpm, p) : mpm_strain_at(mpm, p);
 }
 
 /* sum of the squares of the velocity, a beam's common speed left out */

@@ -26,7 +26,7 @@
  * eigenvalue. Held components are left out throughout. Source for both iterations: B. N. Parlett, The
  * Symmetric Eigenvalue Problem (1998), chapters 4 and 13. */
 #include "methods/mpm/engine.h"
-#include "methods/mpm/plane_modes.h"
+#include "methods/mpm/plane.h"
 
 #include "base/linear.h"
 #include "base/math/functions.h"

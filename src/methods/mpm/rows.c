@@ -72,7 +72,7 @@ static Sums sum_material(const Mpm *mpm, int which, int first, int end)
 }
 
 /* Strain energy of a particle in plane stress, s.D^-1 s/2 times its volume, J. */
-double plane_strain_at(const Mpm *mpm, int at)
+double mpm_strain_at(const Mpm *mpm, int at)
 {
     ASSERT_INDEX(at, mpm->n_particles);
     const PlaneDef *def = &mpm->plane;
@@ -88,7 +88,7 @@ static Sums sum_beam(const Mpm *mpm)
     for (int p = 0; p < mpm->n_particles; p++) {
         const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
         sums.kinetic += vx * vx + vy * vy;
-        sums.strain += plane_strain_at(mpm, p);
+        sums.strain += mpm_strain_at(mpm, p);
     }
     sums.kinetic *= mpm->mass[0] / 2 * mpm->plane.thickness;
     return sums;

@@ -25,7 +25,7 @@
  * every BEAM_REST_EVERY steps. The displacements are then those of rest to some 4e-6. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
-#include "methods/bonds/plane/bonds_modes.h"
+#include "methods/bonds/plane/bonds_plane.h"
 
 #include <math.h>
 

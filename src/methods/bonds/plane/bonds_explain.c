@@ -2,12 +2,31 @@
 /* The stages as people read them, and the sum of the stage just done with its numbers. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
-#include "methods/bonds/plane/verlet.h"
 #include "methods/calculation.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Velocity Verlet (paper P, eqs. 9 to 11), with the fields that it reads and writes. */
+#define VERLET_HALF_KICK(fields_read, fields_written)                                                        \
+    {                                                                                                        \
+        "half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",                           \
+            "The force of the last step gives every node half a step's worth of new velocity.", fields_read, \
+            fields_written                                                                                   \
+    }
+
+#define VERLET_DRIFT(fields_read, fields_written)                                                            \
+    {                                                                                                        \
+        "drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",                                             \
+            "Every node moves on with its half-step velocity.", fields_read, fields_written                  \
+    }
+
+#define VERLET_SECOND_KICK(says, fields_read, fields_written)                                                \
+    {                                                                                                        \
+        "second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)", "eq. 11", says, fields_read,     \
+            fields_written                                                                                   \
+    }
 
 /* Of beams on supports. */
 static const Stage stage_table[N_STAGES] = {

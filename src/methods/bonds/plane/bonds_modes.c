@@ -10,7 +10,7 @@
  * are uncoupled. With the nodes numbered by columns K is a narrow band: its Cholesky factor and a few steps
  * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. The same factor
  * gives the beam at rest under its weight in one solution, K u = rho b. */
-#include "methods/bonds/plane/bonds_modes.h"
+#include "methods/bonds/plane/bonds_plane.h"
 #include "base/linear.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
