@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static Settings bar_by_pd(int mode, double end)
+static Settings bar_of_bonds(int mode, double end)
 {
     Settings settings = bar_settings(mode, end);
     set(&settings, "scenario.method", "pd");
@@ -37,7 +37,7 @@ static bool read_text(const char *text, Settings *settings, Status *status)
 
 START_TEST(each_method_has_its_keys)
 {
-    Settings mpm = bar_settings(1, 1), pd = bar_by_pd(1, 1);
+    Settings mpm = bar_settings(1, 1), pd = bar_of_bonds(1, 1);
     Status status = {0};
     ck_assert(!settings_set(&mpm, "pd.horizon", "2", &status));
     ck_assert_str_eq(status.text, "pd.horizon: is no parameter of method mpm (only of pd)");
@@ -182,7 +182,7 @@ START_TEST(columns_are_those_of_the_bar)
     static const char *const names[] = {"step",           "time",  "v_cm",     "v_cm_exact",
                                         "v_cm_predicted", "x_cm",  "kinetic",  "strain",
                                         "work",           "total", "momentum", "reaction"};
-    Settings settings = bar_by_pd(5, 2);
+    Settings settings = bar_of_bonds(5, 2);
     Experiment *experiment = run(&settings);
     int count;
     const Column *columns = experiment_columns(experiment, &count);
@@ -216,7 +216,7 @@ START_TEST(frequencies_are_as_predicted)
         {"free-free", 4, 1e-3},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Settings settings = bar_by_pd(cases[i].mode, 60);
+        Settings settings = bar_of_bonds(cases[i].mode, 60);
         set(&settings, "bar.supports", cases[i].supports);
         Experiment *experiment = run(&settings);
         const Readout *readout = experiment_readout(experiment);
@@ -252,7 +252,7 @@ END_TEST
 
 START_TEST(too_large_a_step_is_refused_with_both_numbers)
 {
-    Settings settings = bar_by_pd(1, 1);
+    Settings settings = bar_of_bonds(1, 1);
     char advice[160];
     Status status = {0};
     set(&settings, "time.courant", "0.9");
@@ -270,7 +270,7 @@ END_TEST
 
 START_TEST(derived_numbers_of_the_lattice)
 {
-    Settings settings = bar_by_pd(5, 1);
+    Settings settings = bar_of_bonds(5, 1);
     Simulation *sim = problem_simulate(&settings, 1, NULL);
     Derived derived[DERIVED_MAX];
     ck_assert(sim != NULL);
@@ -306,7 +306,7 @@ END_TEST
 /* A load that changes in mid-run belongs to the state: any way to a later step is the same. */
 START_TEST(a_change_of_the_load_is_taken_back)
 {
-    Settings settings = bar_by_pd(1, 3);
+    Settings settings = bar_of_bonds(1, 3);
     settings.n_changes = 1;
     settings.changes[0] = (Change){60, {"load.body_force", "0.5"}};
     Experiment *straight = run(&settings), *walked = run(&settings);
