@@ -11,7 +11,8 @@
  * WORD is a number of a run (run_numbers.h), KEY a parameter ("mesh.cell_size"); a parameter with choices is
  * compared with one of them. The rows of a plate ("loads.top.sy") are no parameters and cannot be asked for.
  * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "and" binds closer
- * than "or". A % behind a number only says its unit: errors are in percent already. What is not known fulfils no relation. */
+ * than "or". A % behind a number only says its unit: errors are in percent already. What is not known fulfils
+ * no relation. */
 #ifndef LESSONS_EXPRESSION_H
 #define LESSONS_EXPRESSION_H
 
