@@ -115,7 +115,7 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
 /* --- schemes -------------------------------------------------------------------------------------------- */
 
 /* What a scheme is chosen of: one of each axis. */
-enum { AXES_OF_A_SCHEME = 5, WAYS_MAX = 10 };
+enum { AXES_OF_A_SCHEME = ANY_CHOICES, WAYS_MAX = 10 };
 static const char *const mpm_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"mpm.algorithm=usf", "mpm.algorithm=usl", "mpm.algorithm=musl"},
     {"mpm.shape=hat", "mpm.shape=gimp", "mpm.shape=bspline2", "mpm.shape=bspline3",
@@ -166,7 +166,7 @@ typedef struct Schemes {
     int count, room;
 } Schemes;
 
-static bool add_scheme(Schemes *schemes, const Settings *settings, int choices)
+static bool add_scheme(Schemes *schemes, const Settings *settings, int choices, int axis)
 {
     if (schemes->count == schemes->room) {
         const int room = 2 * schemes->room + 16;
@@ -176,48 +176,54 @@ static bool add_scheme(Schemes *schemes, const Settings *settings, int choices)
         schemes->all = more;
         schemes->room = room;
     }
-    schemes->all[schemes->count++] = (DiagnoseScheme){*settings, choices};
+    schemes->all[schemes->count++] = (DiagnoseScheme){*settings, choices, axis};
     return true;
 }
 
-int diagnose_schemes(const Settings *right, const DiagnoseTable *table, DiagnoseScheme **out)
+/* What else a scheme may choose, beside those of one choice. */
+static bool add_others(Schemes *schemes, const Settings *right, const DiagnoseTable *table)
 {
-    const char *const(*const axes)[WAYS_MAX] = right->method == METHOD_PD ? pd_axes : mpm_axes;
-    Schemes schemes = {0};
-    bool sound = add_scheme(&schemes, right, 0);
-    for (int axis = 0; axis < AXES_OF_A_SCHEME; axis++)
-        for (int s = 0, before = schemes.count; s < before; s++)
-            for (int way = 0; sound && way < WAYS_MAX && axes[axis][way]; way++) {
-                Settings other = schemes.all[s].settings;
-                /* who says that boxes are meant has no splines: of twice the length they are the same */
-                if (settings_transfer(right)->shape == MPM_GIMP && strstr(axes[axis][way], "_uniform"))
-                    continue;
-                if (take_way(&other, axes[axis][way]) && diagnose_hold_step(&other, table->dt, NULL))
-                    sound = add_scheme(&schemes, &other, schemes.all[s].choices + 1);
-            }
     Candidate *others = malloc(CANDIDATES_MAX * sizeof *others);
-    const int product = schemes.count, count = others ? diagnose_candidates(right, true, others) : 0;
+    const int before = schemes->count, count = others ? diagnose_candidates(right, true, others) : 0;
+    bool sound = others != NULL;
     for (int i = 0; i < count && sound; i++) {
         Settings other;
         bool known =
             others[i].kind != DIAGNOSE_SCHEME || !diagnose_settings_of(&others[i], right, table, &other);
-        for (int s = 0; s < product && !known; s++)
-            known = schemes.all[s].choices == 1 &&
-                    settings_number(&schemes.all[s].settings, others[i].parameter) == others[i].value;
-        sound = known || add_scheme(&schemes, &other, 1);
+        for (int s = 0; s < before && !known; s++)
+            known = schemes->all[s].choices == 1 &&
+                    settings_number(&schemes->all[s].settings, others[i].parameter) == others[i].value;
+        sound = known || add_scheme(schemes, &other, 1, AXES_OF_A_SCHEME);
     }
-    sound = sound && others;
     free(others);
-    Schemes sorted = {0};
-    for (int choices = 0; choices <= AXES_OF_A_SCHEME; choices++)
-        for (int s = 0; s < schemes.count && sound; s++)
-            if (schemes.all[s].choices == choices)
-                sound = add_scheme(&sorted, &schemes.all[s].settings, choices);
-    free(schemes.all);
+    return sound;
+}
+
+int diagnose_schemes(const Settings *right, const DiagnoseTable *table, int most, DiagnoseScheme **out)
+{
+    const char *const(*const axes)[WAYS_MAX] = right->method == METHOD_PD ? pd_axes : mpm_axes;
+    Schemes schemes = {0};
+    bool sound = add_scheme(&schemes, right, 0, -1);
+    for (int choices = 1, first = 0; sound && choices <= most && first < schemes.count; choices++) {
+        const int end = schemes.count;
+        for (int axis = 0; axis < AXES_OF_A_SCHEME; axis++)
+            for (int s = first; s < end; s++)
+                for (int way = 0; sound && way < WAYS_MAX && axes[axis][way]; way++) {
+                    /* who says that boxes are meant has no splines: of twice the length they are the same */
+                    if (schemes.all[s].axis >= axis ||
+                        (settings_transfer(right)->shape == MPM_GIMP && strstr(axes[axis][way], "_uniform")))
+                        continue;
+                    Settings other = schemes.all[s].settings;
+                    if (take_way(&other, axes[axis][way]) && diagnose_hold_step(&other, table->dt, NULL))
+                        sound = add_scheme(&schemes, &other, choices, axis);
+                }
+        sound = sound && (choices > 1 || add_others(&schemes, right, table));
+        first = end;
+    }
     if (!sound)
-        free(sorted.all);
-    *out = sound ? sorted.all : NULL;
-    return sound ? sorted.count : 0;
+        free(schemes.all);
+    *out = sound ? schemes.all : NULL;
+    return sound ? schemes.count : 0;
 }
 
 /* --- one of them ---------------------------------------------------------------------------------------- */

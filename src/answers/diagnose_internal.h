@@ -82,12 +82,14 @@ int diagnose_candidates(const Settings *, bool values, Candidate out[CANDIDATES_
 typedef struct DiagnoseScheme {
     Settings settings; /* with the file's time step */
     int choices;       /* in which it differs from the scenario */
+    int axis;          /* that of the last of them */
 } DiagnoseScheme;
 
 /* The product of algorithms, shapes and transfers, or of corrections, influences and horizons; and what else
- * a scheme may choose, one at a time. The scenario's own comes first, then those of fewer choices. Returns
- * how many there are; the caller frees them. NULL: there is no memory. */
-int diagnose_schemes(const Settings *, const DiagnoseTable *, DiagnoseScheme **out);
+ * a scheme may choose, one at a time. The scenario's own comes first, then those of fewer choices, and none
+ * of more than `most`. Returns how many there are; the caller frees them. NULL: there is no memory. */
+enum { ANY_CHOICES = 5 };
+int diagnose_schemes(const Settings *, const DiagnoseTable *, int most, DiagnoseScheme **out);
 
 /* Its settings, with the file's time step. False: there is no such run. */
 bool diagnose_settings_of(const Candidate *, const Settings *right, const DiagnoseTable *, Settings *out);

@@ -548,7 +548,8 @@ static bool try_codes(Trials *trials, bool wrong, int pass, int end, bool *found
             Settings held = *right;
             if (times->plain != (pass % 2 == 0) || !diagnose_hold_step(&held, times->dt, NULL))
                 continue;
-            const int count = diagnose_schemes(&held, trials->search->table, &schemes);
+            const int count = diagnose_schemes(&held, trials->search->table,
+                                               pass < 2 ? FEW_CHOICES : ANY_CHOICES, &schemes);
             for (int s = 0; s < count; s++)
                 for (int m = wrong;
                      m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass >= 2) &&

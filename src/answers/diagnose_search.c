@@ -425,7 +425,7 @@ static bool try_all(Search *search, bool wrong)
     search->given = search->by_first = search->right;
     if (!search->walk.departure.is)
         return try_listed(search, MISTAKES);
-    const int count = diagnose_schemes(&search->right, search->table, &schemes);
+    const int count = diagnose_schemes(&search->right, search->table, ANY_CHOICES, &schemes);
     if (!schemes)
         return status_fail(search->status, "out of memory");
     const bool sound = wrong ? try_product(search, schemes, count) : try_schemes(search, schemes, count);
