@@ -121,10 +121,8 @@ const Option options_table[] = {
     {"--every", "N", " run ", "a row of the series every N steps (1)", OPTION_OVERRIDE,
      .key = "output.every"},
     {"--columns", "NAME,...", " run ",
-     "the columns of the series that are written, and fields that tables leave out; or all (those that cost "
-     "no "
-     "more than the step)",
-     OPTION_OVERRIDE, .key = "output.columns"},
+     "writes these columns and fields; all: those that cost less than a step", OPTION_OVERRIDE,
+     .key = "output.columns"},
     {"--series", "FILE", " run ", "writes the series: one row for each recorded step", OPTION_TEXT,
      AT(outputs.series), LETTER('o')},
     {"--particles", "FILE", " run ", "writes the table of particles", OPTION_TEXT, AT(outputs.particles)},

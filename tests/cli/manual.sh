@@ -135,4 +135,14 @@ knows matvib.5 parameter
 knows matvib.1 scenario
 printf 'zebra\n' | "$MATVIB" --script - 2>&1 | sed -n 's/.*instruction: zebra (\(.*\))/\1/p' | tr -s '| ' '\n\n' | sort -u >names
 knows matvib.1 'instruction of a script'
+if command -v mandoc >/dev/null 2>&1 && { command -v pandoc || command -v lowdown; } >/dev/null 2>&1; then
+	result "the documents as HTML" "$MATVIB_SRCDIR/tools/html" "$MATVIB_SRCDIR" html "$MATVIB_BUILDDIR"/man/matvib.1
+	for page in html/README.html html/doc/*.html; do
+		grep -o 'href="[^"#]*' "$page" | sed 's/^href="//' | grep -v -e '^https\{0,1\}:' -e '^mailto:' |
+			while read -r link; do test -e "$(dirname "$page")/$link" || echo "$link"; done >broken
+		result "links of $page$(sed 's/^/ /' broken | tr -d '\n')" test ! -s broken
+	done
+else
+	skip "the documents as HTML" "no mandoc, or neither pandoc nor lowdown"
+fi
 echo "1..$number"
