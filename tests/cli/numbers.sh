@@ -27,8 +27,8 @@ run() { # SCENARIO OPTIONS...
 		/^energy E\* / { after("by", "lost") }
 		/^energy, first/ { after("by", "lost") }
 		/^crack / { after("break", "first"); after("twentieth", "twentieth"); after("zone", "through") }
-		/^L2 / { after("v", "v_error") # and late, not early
-			for (i = 1; i < NF; i++) if ($i == "cells" && $(i + 1) > 0) print "lag", $(i + 1) }
+		/^L2 / { after("v", "v_error") # and behind, not ahead
+			for (i = 1; i < NF; i++) if ($i == "behind" && $(i + 1) > 0) print "lag", $(i + 1) }
 		/^sent back/ { after("R", "reflected"); after("T", "transmitted") }
 		/^invariant/ { print "invariant", $2 }
 		/^middle / { for (i = 1; i < NF; i++) if ($i == "by") print "off", -1e6 * $(i + 1)
