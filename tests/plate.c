@@ -26,7 +26,7 @@ static const Set sets[] = {{"particle", "particles", 0}};
 
 #define ROW(name, label, unit, meaning, table, whole)                                                        \
     {                                                                                                        \
-        {name, label, unit, meaning}, NODES, table, whole                                                    \
+        {name, label, unit, meaning}, NODES, table, whole, 0, 0                                              \
     }
 static const Field fields[N_FIELDS] = {
     [F_X0] = ROW("x0", "x0", "length", "column of the node", true, false),

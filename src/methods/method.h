@@ -42,15 +42,16 @@ typedef struct Set {
 /* A named array over one set. */
 typedef struct Field {
     Quantity quantity;
-    int set;       /* index into Simulation.sets */
-    bool in_table; /* a column of the set's CSV table (in the order of the field table) */
-    bool integer;  /* values are whole numbers (indices, flags) */
+    int set;        /* index into Simulation.sets */
+    bool in_table;  /* a column of the set's CSV table (in the order of the field table) */
+    bool integer;   /* values are whole numbers (indices, flags) */
+    int kind, axis; /* the method's own: what it is, of which direction */
 } Field;
 
 /* A row of a method's field table. */
-#define FIELD_ROW(set, in_table, integer, name, label, unit, meaning)                                        \
+#define FIELD_ROW(kind, axis, set, in_table, integer, name, label, unit, meaning)                            \
     {                                                                                                        \
-        {name, label, unit, meaning}, set, in_table, integer                                                 \
+        {name, label, unit, meaning}, set, in_table, integer, kind, axis                                     \
     }
 
 /* In the equation of a stage that a wrong code does, what differs from the right one stands between these

@@ -117,8 +117,8 @@ START_TEST(what_is_no_number_stays_none)
                                   .load = load_nothing,
                                   .destroy = free_nothing};
     const Set set = {"thing", "things", _i};
-    static const Field two_fields[] = {{{"a", "a", "1", "none"}, 0, true, false},
-                                       {{"b", "b", "1", "too large"}, 0, true, false}};
+    static const Field two_fields[] = {{{"a", "a", "1", "none"}, 0, true, false, 0, 0},
+                                       {{"b", "b", "1", "too large"}, 0, true, false, 0, 0}};
     static const Stage stages[2] = {{.id = "one"}, {.id = "two"}};
     static const Quantity series[] = {{"c", "c", "1", "a column"}};
     Simulation sim = {.method = &method,

@@ -144,8 +144,7 @@ typedef struct Mpm {
     Exchange exchanges[MPM_TERMS];
     MpmExchange terms[MPM_TERMS]; /* the same */
     Field fields[MPM_FIELDS];     /* those that there are at present, and which each of them is */
-    const struct MpmFieldRow *field_rows[MPM_FIELDS];
-    Quantity series[MPM_SERIES]; /* those that are not left out, and which each of them is */
+    Quantity series[MPM_SERIES];  /* those that are not left out, and which each of them is */
     int series_entry[MPM_SERIES];
 
     /* model: constant */

@@ -10,7 +10,7 @@
 #include "methods/mpm/mistakes.h"
 
 typedef enum FieldKind {
-    P_X0, /* of P_X0 to P_STRESS and most of a node one for each direction */
+    P_X0, /* with axis: a direction, a component of stress, a distance in the mass matrix */
     P_X,
     P_U,
     P_V,
@@ -50,34 +50,24 @@ typedef enum FieldKind {
     N_VELOCITY_NEW
 } FieldKind;
 
-typedef struct MpmFieldRow {
-    FieldKind kind;
-    int axis; /* of a direction, a component of stress, a distance in the mass matrix */
-    Field field;
-} Row;
-
-#define ROW(kind, axis, set, in_table, integer, name, label, unit, meaning)                                  \
-    {                                                                                                        \
-        kind, axis, FIELD_ROW(set, in_table, integer, name, label, unit, meaning)                            \
-    }
 #define PARTICLE(kind, axis, name, label, unit, meaning)                                                     \
-    ROW(kind, axis, MPM_PARTICLES, true, false, name, label, unit, meaning)
+    FIELD_ROW(kind, axis, MPM_PARTICLES, true, false, name, label, unit, meaning)
 #define SHOWN(kind, axis, name, label, unit, meaning)                                                        \
-    ROW(kind, axis, MPM_PARTICLES, false, false, name, label, unit, meaning)
+    FIELD_ROW(kind, axis, MPM_PARTICLES, false, false, name, label, unit, meaning)
 #define NODE(kind, axis, name, label, unit, meaning)                                                         \
-    ROW(kind, axis, MPM_NODES, true, false, name, label, unit, meaning)
+    FIELD_ROW(kind, axis, MPM_NODES, true, false, name, label, unit, meaning)
 #define NODE_SHOWN(kind, axis, name, label, unit, meaning)                                                   \
-    ROW(kind, axis, MPM_NODES, false, false, name, label, unit, meaning)
+    FIELD_ROW(kind, axis, MPM_NODES, false, false, name, label, unit, meaning)
 #define NODE_FLAG(kind, axis, name, label, meaning)                                                          \
-    ROW(kind, axis, MPM_NODES, false, true, name, label, "1", meaning)
+    FIELD_ROW(kind, axis, MPM_NODES, false, true, name, label, "1", meaning)
 #define AXIAL(which, name, label, unit, meaning) PARTICLE(P_##which, 0, name, label, unit, meaning)
 #define MASSES(beside, name, label, which)                                                                   \
     NODE(N_MASS_BESIDE, beside, name, label, "mass/length^2", "mass matrix: " which)
 
-static const Row line[] = {
+static const Field line[] = {
     AXIAL_FIELD_ROWS(AXIAL, "axial stress, tension positive", "sum of the strain increments"),
-    ROW(P_CELL, 0, MPM_PARTICLES, false, true, "cell", "cell", "1",
-        "cell of the mesh that the particle is in"),
+    FIELD_ROW(P_CELL, 0, MPM_PARTICLES, false, true, "cell", "cell", "1",
+              "cell of the mesh that the particle is in"),
     SHOWN(P_NATURAL, 0, "natural", "place in cell", "1", "0 at the left edge of its cell, 1 at the right"),
     SHOWN(P_STRAIN_INCREMENT, 0, "strain_increment", "strain increment", "1",
           "strain of this time step; 0 before its stage"),
@@ -103,7 +93,7 @@ static const Row line[] = {
                "velocity after the force has acted: it moves the particles"),
 };
 
-static const Row plane[] = {
+static const Field plane[] = {
     PARTICLE(P_X0, 0, "x0", "x0", "m", "place along the beam at rest"),
     PARTICLE(P_X0, 1, "y0", "y0", "m", "place across the beam at rest, 0 on its mid-plane"),
     PARTICLE(P_X, 0, "x", "x", "m", "place along the beam"),
@@ -129,7 +119,7 @@ static const Row plane[] = {
           "strain of this time step across the beam; 0 before its stage"),
     SHOWN(P_STRAIN_INCREMENT, 2, "gxy", "shear step", "1",
           "shear strain of this time step; 0 before its stage"),
-    ROW(P_PROBE, 0, MPM_PARTICLES, false, true, "probe", "probe", "1", "1: the probe is beside it"),
+    FIELD_ROW(P_PROBE, 0, MPM_PARTICLES, false, true, "probe", "probe", "1", "1: the probe is beside it"),
     NODE(N_X, 0, "x", "x", "m", "place of the node along the beam"),
     NODE(N_X, 1, "y", "y", "m", "place of the node across the beam"),
     NODE(N_MASS, 0, "mass", "mass", "kg/m", "mass mapped from the particles"),
@@ -148,7 +138,7 @@ static const Row plane[] = {
     NODE_FLAG(N_HELD, 1, "held_y", "held y", "1: a support or the channel holds it across"),
 };
 
-static const Row bodies[] = {
+static const Field bodies[] = {
     PARTICLE(P_X, 0, "x", "x", "length", "place along x"),
     PARTICLE(P_X, 1, "y", "y", "length", "place along y"),
     PARTICLE(P_X0, 0, "x0", "x0", "length", "place along x at t = 0"),
@@ -160,7 +150,7 @@ static const Row bodies[] = {
     PARTICLE(P_STRESS, 2, "sxy", "stress xy", "force/area", "shear stress"),
     PARTICLE(P_DENSITY, 0, "density", "density", "mass/volume", "density"),
     PARTICLE(P_MASS, 0, "mass", "mass", "mass/length", "mass of the particle per unit thickness"),
-    ROW(P_BODY, 0, MPM_PARTICLES, true, true, "body", "body", "1", "number of its body, from 0 on"),
+    FIELD_ROW(P_BODY, 0, MPM_PARTICLES, true, true, "body", "body", "1", "number of its body, from 0 on"),
     SHOWN(P_U, 0, "ux", "ux", "length", "displacement along x"),
     SHOWN(P_U, 1, "uy", "uy", "length", "displacement along y"),
     SHOWN(P_SPEED, 0, "speed", "speed", "length/time", "magnitude of the velocity"),
@@ -186,7 +176,8 @@ static const Row bodies[] = {
     NODE(N_MOMENTUM, 1, "py", "momentum y", "mass*length/time", "momentum along y"),
     NODE(N_F, 0, "fx", "force x", "force", "force along x"),
     NODE(N_F, 1, "fy", "force y", "force", "force along y"),
-    ROW(N_BODY, 0, MPM_NODES, true, true, "body", "body", "1", "body of its field; 0 where all share one"),
+    FIELD_ROW(N_BODY, 0, MPM_NODES, true, true, "body", "body", "1",
+              "body of its field; 0 where all share one"),
     NODE_SHOWN(N_VELOCITY, 0, "vx", "vx", "length/time", "momentum over mass; 0 where the node is light"),
     NODE_SHOWN(N_VELOCITY, 1, "vy", "vy", "length/time", "momentum over mass; 0 where the node is light"),
     NODE_SHOWN(N_ACCELERATION, 0, "ax", "acceleration x", "length/time^2", "force over mass"),
@@ -201,24 +192,23 @@ static const Row bodies[] = {
  * matrix is there only then, as far as it reaches. */
 void mpm_list_fields(Mpm *mpm)
 {
-    const Row *const rows = mpm->bodies ? bodies : mpm->dim == 2 ? plane : line;
+    const Field *const rows = mpm->bodies ? bodies : mpm->dim == 2 ? plane : line;
     const size_t n = mpm->bodies     ? sizeof bodies / sizeof *bodies
                      : mpm->dim == 2 ? sizeof plane / sizeof *plane
                                      : sizeof line / sizeof *line;
     const bool lumped = mpm_is_lumped(mpm);
     int count = 0;
-    for (const Row *row = rows; row < rows + n; row++) {
+    for (const Field *row = rows; row < rows + n; row++) {
         if ((row->kind == N_MASS_BESIDE && (lumped || row->axis > mpm->support - 1)) ||
             (row->kind == P_STRETCH && mpm->shape != MPM_CPDI))
             continue;
         ASSERT_INDEX(count, MPM_FIELDS);
-        Field *field = &mpm->fields[count];
-        *field = row->field;
+        Field *field = &mpm->fields[count++];
+        *field = *row;
         if (row->kind == N_F_EXT)
             field->quantity.meaning = mpm->force_words.meaning;
         field->in_table |= (row->kind == P_AFFINE && mpm->head->transfer == MPM_APIC) ||
                            (row->kind == N_ACCELERATION && !lumped);
-        mpm->field_rows[count++] = row;
     }
     mpm->sim.fields = mpm->fields;
     mpm->sim.n_fields = count;
@@ -257,11 +247,11 @@ static double mises(const Mpm *mpm, int p)
 
 /* The value of one particle's field. The place in the cell of a moved particle counts from its old cell until
  * the last stage. */
-static double particle_field(const Mpm *mpm, const Row *row, int p)
+static double particle_field(const Mpm *mpm, const Field *row, int p)
 {
     const int axis = row->axis;
     double e[MPM_STRESSES] = {0.0};
-    switch (row->kind) {
+    switch ((FieldKind)row->kind) {
     case P_X0:
         return mpm_rest(mpm, axis, p);
     case P_X:
@@ -328,11 +318,11 @@ static double node_place(const Mpm *mpm, int axis, int node)
 }
 
 /* The value of one node's field: the grid is forgotten between steps, and each is 0 before its stage. */
-static double node_field(const Mpm *mpm, const Row *row, int i)
+static double node_field(const Mpm *mpm, const Field *row, int i)
 {
     const int axis = row->axis;
     const bool line_now = mpm->dim == 1, forced = mpm_has_done(mpm, OP_FORCE);
-    switch (row->kind) {
+    switch ((FieldKind)row->kind) {
     case N_X:
         return node_place(mpm, axis, i);
     case N_BODY:
@@ -346,7 +336,7 @@ static double node_field(const Mpm *mpm, const Row *row, int i)
     }
     if (!mpm_has_done(mpm, OP_MAP))
         return 0.0;
-    switch (row->kind) {
+    switch ((FieldKind)row->kind) {
     case N_MASS:
         return mpm->node_mass[i];
     case N_MOMENTUM:
@@ -384,7 +374,7 @@ void mpm_field(const Simulation *sim, int field, size_t first, size_t count, dou
     const Mpm *mpm = mpm_of_const(sim);
     ASSERT_INDEX(field, sim->n_fields);
     ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
-    const Row *const row = mpm->field_rows[field];
+    const Field *const row = &sim->fields[field];
     for (int i = (int)first; i < (int)(first + count); i++)
-        *out++ = row->field.set == MPM_PARTICLES ? particle_field(mpm, row, i) : node_field(mpm, row, i);
+        *out++ = row->set == MPM_PARTICLES ? particle_field(mpm, row, i) : node_field(mpm, row, i);
 }

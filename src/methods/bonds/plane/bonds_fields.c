@@ -67,109 +67,97 @@ typedef enum FieldIndex {
     N_VALUES
 } FieldIndex;
 
-#define PARTICLE(name, label, unit, meaning, table, whole)                                                   \
-    FIELD_ROW(SET_PARTICLE, table, whole, name, label, unit, meaning)
-#define BOND(name, label, unit, meaning, table, whole)                                                       \
-    FIELD_ROW(SET_BOND, table, whole, name, label, unit, meaning)
+#define PARTICLE(kind, name, label, unit, meaning, table, whole)                                             \
+    FIELD_ROW(kind, 0, SET_PARTICLE, table, whole, name, label, unit, meaning)
+#define BOND(kind, name, label, unit, meaning, table, whole)                                                 \
+    FIELD_ROW(kind, 0, SET_BOND, table, whole, name, label, unit, meaning)
 
 static const Field fields[N_FIELDS] = {
-    [F_X0] = PARTICLE("x0", "x0", "m", "reference position along x", true, false),
-    [F_Y0] = PARTICLE("y0", "y0", "m", "reference position along y", true, false),
-    [F_UX] = PARTICLE("ux", "ux", "m", "displacement along x", true, false),
-    [F_UY] = PARTICLE("uy", "uy", "m", "displacement along y", true, false),
-    [F_VX] = PARTICLE("vx", "vx", "m/s", "velocity along x", true, false),
-    [F_VY] = PARTICLE("vy", "vy", "m/s", "velocity along y", true, false),
-    [F_DAMAGE] = PARTICLE("damage", "damage", "1",
-                          "broken share of the family, the notch's bonds included (eq. 5)", true, false),
-    [F_SURFACE] = PARTICLE("surface_factor", "surface factor", "1",
-                           "surface correction of the node: the mean of its two directions", true, false),
-    [F_STRAIN_ENERGY] = PARTICLE("strain_energy", "strain energy", "J",
-                                 "half of the energy of the node's bonds", true, false),
-    [F_FX] = PARTICLE("fx", "force x", "N/m^3", "force density along x", false, false),
-    [F_FY] = PARTICLE("fy", "force y", "N/m^3", "force density along y", false, false),
-    [F_SPEED] = PARTICLE("speed", "speed", "m/s", "magnitude of the velocity", false, false),
-    [F_STRETCH] =
-        PARTICLE("stretch", "stretch", "1", "largest stretch of the node's whole bonds", false, false),
-    [F_FAMILY] = PARTICLE("family", "family", "1", "number of bonds, broken ones included", false, true),
-    [F_SURFACE_X] = PARTICLE("surface_x", "g_x", "1", "surface factor along x", false, false),
-    [F_SURFACE_Y] = PARTICLE("surface_y", "g_y", "1", "surface factor along y", false, false),
-    [F_HELD] = PARTICLE("held", "held", "1", "1: a support or the channel holds the node", false, true),
-    [F_LOADED] = PARTICLE("loaded", "loaded", "1", "1: the load acts on the node", false, true),
-    [F_PROBE] = PARTICLE("probe", "probe", "1", "1: the probe is the mean of such nodes", false, true),
-    [F_PROTECTED] = PARTICLE("protected", "protected", "1", "1: bonds of the node never break", false, true),
-    [F_SXX] = PARTICLE("sxx", "stress xx", "Pa", "stress along x by the bonds' forces", false, false),
-    [F_SYY] = PARTICLE("syy", "stress yy", "Pa", "stress along y by the bonds' forces", false, false),
-    [F_SXY] = PARTICLE("sxy", "stress xy", "Pa", "shear stress by the bonds' forces", false, false),
-    [F_I] = BOND("i", "i", "1", "particle at one end", true, true),
-    [F_J] = BOND("j", "j", "1", "particle at the other end", true, true),
-    [F_XI] = BOND("x_i", "x_i", "m", "reference position of particle i along x", true, false),
-    [F_YI] = BOND("y_i", "y_i", "m", "reference position of particle i along y", true, false),
-    [F_XJ] = BOND("x_j", "x_j", "m", "reference position of particle j along x", true, false),
-    [F_YJ] = BOND("y_j", "y_j", "m", "reference position of particle j along y", true, false),
-    [F_BOND_STRETCH] =
-        BOND("stretch", "stretch", "1", "stretch s between the two particles (eq. 3)", true, false),
-    [F_BROKEN] = BOND("broken", "broken", "1", "1: the bond is broken", true, true),
-    [F_BROKEN_AT] = BOND("broken_at", "broken at", "1",
-                         "step after which it was broken; 0: notch; -1: not broken", true, true),
-    [F_NOTCH] = BOND("notch", "notch", "1", "1: the notch cuts the bond", false, true),
-    [F_PULL] = BOND("pull", "pull", "N/m^3", "force density on its ends, positive in tension", false, false),
-    [F_BOND_ENERGY] = BOND("energy", "energy", "J", "strain energy of the bond", false, false),
-    [F_MICROMODULUS] = BOND("c", "c", "N/m^5", "stiffness c of the bond (eq. 4)", false, false),
-    [F_CORRECTION] = BOND("G", "G", "1", "surface correction G of the bond", false, false),
-    [F_WEIGHT] = BOND("w", "w", "1", "share w of the other end's volume that counts", false, false),
+    PARTICLE(F_X0, "x0", "x0", "m", "reference position along x", true, false),
+    PARTICLE(F_Y0, "y0", "y0", "m", "reference position along y", true, false),
+    PARTICLE(F_UX, "ux", "ux", "m", "displacement along x", true, false),
+    PARTICLE(F_UY, "uy", "uy", "m", "displacement along y", true, false),
+    PARTICLE(F_VX, "vx", "vx", "m/s", "velocity along x", true, false),
+    PARTICLE(F_VY, "vy", "vy", "m/s", "velocity along y", true, false),
+    PARTICLE(F_DAMAGE, "damage", "damage", "1",
+             "broken share of the family, the notch's bonds included (eq. 5)", true, false),
+    PARTICLE(F_SURFACE, "surface_factor", "surface factor", "1",
+             "surface correction of the node: the mean of its two directions", true, false),
+    PARTICLE(F_STRAIN_ENERGY, "strain_energy", "strain energy", "J", "half of the energy of the node's bonds",
+             true, false),
+    PARTICLE(F_FX, "fx", "force x", "N/m^3", "force density along x", false, false),
+    PARTICLE(F_FY, "fy", "force y", "N/m^3", "force density along y", false, false),
+    PARTICLE(F_SPEED, "speed", "speed", "m/s", "magnitude of the velocity", false, false),
+    PARTICLE(F_STRETCH, "stretch", "stretch", "1", "largest stretch of the node's whole bonds", false, false),
+    PARTICLE(F_FAMILY, "family", "family", "1", "number of bonds, broken ones included", false, true),
+    PARTICLE(F_SURFACE_X, "surface_x", "g_x", "1", "surface factor along x", false, false),
+    PARTICLE(F_SURFACE_Y, "surface_y", "g_y", "1", "surface factor along y", false, false),
+    PARTICLE(F_HELD, "held", "held", "1", "1: a support or the channel holds the node", false, true),
+    PARTICLE(F_LOADED, "loaded", "loaded", "1", "1: the load acts on the node", false, true),
+    PARTICLE(F_PROBE, "probe", "probe", "1", "1: the probe is the mean of such nodes", false, true),
+    PARTICLE(F_PROTECTED, "protected", "protected", "1", "1: bonds of the node never break", false, true),
+    PARTICLE(F_SXX, "sxx", "stress xx", "Pa", "stress along x by the bonds' forces", false, false),
+    PARTICLE(F_SYY, "syy", "stress yy", "Pa", "stress along y by the bonds' forces", false, false),
+    PARTICLE(F_SXY, "sxy", "stress xy", "Pa", "shear stress by the bonds' forces", false, false),
+    BOND(F_I, "i", "i", "1", "particle at one end", true, true),
+    BOND(F_J, "j", "j", "1", "particle at the other end", true, true),
+    BOND(F_XI, "x_i", "x_i", "m", "reference position of particle i along x", true, false),
+    BOND(F_YI, "y_i", "y_i", "m", "reference position of particle i along y", true, false),
+    BOND(F_XJ, "x_j", "x_j", "m", "reference position of particle j along x", true, false),
+    BOND(F_YJ, "y_j", "y_j", "m", "reference position of particle j along y", true, false),
+    BOND(F_BOND_STRETCH, "stretch", "stretch", "1", "stretch s between the two particles (eq. 3)", true,
+         false),
+    BOND(F_BROKEN, "broken", "broken", "1", "1: the bond is broken", true, true),
+    BOND(F_BROKEN_AT, "broken_at", "broken at", "1",
+         "step after which it was broken; 0: notch; -1: not broken", true, true),
+    BOND(F_NOTCH, "notch", "notch", "1", "1: the notch cuts the bond", false, true),
+    BOND(F_PULL, "pull", "pull", "N/m^3", "force density on its ends, positive in tension", false, false),
+    BOND(F_BOND_ENERGY, "energy", "energy", "J", "strain energy of the bond", false, false),
+    BOND(F_MICROMODULUS, "c", "c", "N/m^5", "stiffness c of the bond (eq. 4)", false, false),
+    BOND(F_CORRECTION, "G", "G", "1", "surface correction G of the bond", false, false),
+    BOND(F_WEIGHT, "w", "w", "1", "share w of the other end's volume that counts", false, false),
 };
 
-/* Of a bar, and which of the above each is. */
-#define AXIAL(which, name, label, unit, meaning) PARTICLE(name, label, unit, meaning, true, false)
+/* Of a bar, whose words for them are others. */
+enum {
+    LINE_X0 = F_X0,
+    LINE_X = F_X,
+    LINE_U = F_UX,
+    LINE_V = F_VX,
+    LINE_STRESS = F_STRESS,
+    LINE_STRAIN = F_STRAIN,
+    LINE_DENSITY = F_DENSITY,
+    LINE_MASS = F_MASS
+};
+#define AXIAL(which, name, label, unit, meaning)                                                             \
+    PARTICLE(LINE_##which, name, label, unit, meaning, true, false)
 static const Field line_fields[] = {
     AXIAL_FIELD_ROWS(AXIAL, "force of all bonds through a section, mean of the sections beside the node",
                      "mean stretch of the node's bonds, weighted with length"),
-    PARTICLE("strain_energy", "strain energy", "force/length", "half of the energy of the node's bonds", true,
+    PARTICLE(F_STRAIN_ENERGY, "strain_energy", "strain energy", "force/length",
+             "half of the energy of the node's bonds", true, false),
+    PARTICLE(F_SURFACE, "surface_factor", "surface factor", "1", "surface correction g of the node", true,
              false),
-    PARTICLE("surface_factor", "surface factor", "1", "surface correction g of the node", true, false),
-    PARTICLE("force", "force", "force/length^3", "force density: of the bonds, then with the loads", false,
-             false),
-    PARTICLE("load", "load", "force/length^3", "force density of all loads", false, false),
-    PARTICLE("stretch", "stretch", "1", "largest stretch of the node's bonds", false, false),
-    PARTICLE("family", "family", "1", "number of bonds, those to mirrored nodes included", false, true),
-    PARTICLE("acceleration", "acceleration", "length/time^2", "force density over density", false, false),
-    BOND("i", "i", "1", "particle at the left end", true, true),
-    BOND("j", "j", "1", "particle at the right end", true, true),
-    BOND("x_i", "x_i", "length", "position of particle i at the start", true, false),
-    BOND("x_j", "x_j", "length", "position of particle j at the start", true, false),
-    BOND("stretch", "stretch", "1", "stretch s between the two particles", true, false),
-    BOND("pull", "pull", "force/length^3", "force density on its ends, positive in tension", false, false),
-    BOND("energy", "energy", "force/length", "strain energy of the bond", false, false),
-    BOND("c", "c", "force/length^4", "stiffness c of the bond", false, false),
-    BOND("G", "G", "1", "surface correction G of the bond", false, false),
-    BOND("w", "w", "1", "share w of the other end's volume that counts", false, false),
+    PARTICLE(F_FX, "force", "force", "force/length^3", "force density: of the bonds, then with the loads",
+             false, false),
+    PARTICLE(F_LOAD, "load", "load", "force/length^3", "force density of all loads", false, false),
+    PARTICLE(F_STRETCH, "stretch", "stretch", "1", "largest stretch of the node's bonds", false, false),
+    PARTICLE(F_FAMILY, "family", "family", "1", "number of bonds, those to mirrored nodes included", false,
+             true),
+    PARTICLE(F_ACCELERATION, "acceleration", "acceleration", "length/time^2", "force density over density",
+             false, false),
+    BOND(F_I, "i", "i", "1", "particle at the left end", true, true),
+    BOND(F_J, "j", "j", "1", "particle at the right end", true, true),
+    BOND(F_XI, "x_i", "x_i", "length", "position of particle i at the start", true, false),
+    BOND(F_XJ, "x_j", "x_j", "length", "position of particle j at the start", true, false),
+    BOND(F_BOND_STRETCH, "stretch", "stretch", "1", "stretch s between the two particles", true, false),
+    BOND(F_PULL, "pull", "pull", "force/length^3", "force density on its ends, positive in tension", false,
+         false),
+    BOND(F_BOND_ENERGY, "energy", "energy", "force/length", "strain energy of the bond", false, false),
+    BOND(F_MICROMODULUS, "c", "c", "force/length^4", "stiffness c of the bond", false, false),
+    BOND(F_CORRECTION, "G", "G", "1", "surface correction G of the bond", false, false),
+    BOND(F_WEIGHT, "w", "w", "1", "share w of the other end's volume that counts", false, false),
 };
-static const FieldIndex line_index[] = {F_X0,
-                                        F_X,
-                                        F_UX,
-                                        F_VX,
-                                        F_STRESS,
-                                        F_STRAIN,
-                                        F_DENSITY,
-                                        F_MASS,
-                                        F_STRAIN_ENERGY,
-                                        F_SURFACE,
-                                        F_FX,
-                                        F_LOAD,
-                                        F_STRETCH,
-                                        F_FAMILY,
-                                        F_ACCELERATION,
-                                        F_I,
-                                        F_J,
-                                        F_XI,
-                                        F_XJ,
-                                        F_BOND_STRETCH,
-                                        F_PULL,
-                                        F_BOND_ENERGY,
-                                        F_MICROMODULUS,
-                                        F_CORRECTION,
-                                        F_WEIGHT};
-
 /* --- what fills them ------------------------------------------------------------------------------ */
 
 /* Bonds of a node at rest, broken ones included. */
@@ -345,8 +333,7 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     ASSERT_INT(field, <, sim->n_fields);
     ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
     const bool of_node = sim->fields[field].set == SET_PARTICLE;
-    if (beam->lattice.line)
-        field = (int)line_index[field];
+    field = sim->fields[field].kind;
     if (count == 0)
         return;
     if (field == F_STRAIN_ENERGY) {
