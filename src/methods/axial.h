@@ -21,27 +21,16 @@ enum { AXIAL_X0, AXIAL_X, AXIAL_U, AXIAL_V, AXIAL_STRESS, AXIAL_STRAIN, AXIAL_DE
         ROW(DENSITY, "density", "density", "mass/length^3", "density"),                                      \
         ROW(MASS, "mass", "mass", "mass/length^2", "mass per unit cross-section; constant")
 
-/* The series begins and ends alike. */
-#define AXIAL_SERIES_BEGIN                                                                                   \
-    {"v_cm", "v_cm", "length/time", "velocity of the centre of mass"},                                       \
-    {                                                                                                        \
-        "x_cm", "x_cm", "length", "position of the centre of mass"                                           \
-    }
-#define AXIAL_SERIES_KINETIC                                                                                 \
-    {                                                                                                        \
-        "kinetic", "kinetic", "force/length", "kinetic energy of the particles"                              \
-    }
-#define AXIAL_SERIES_END                                                                                     \
-    {"work", "work", "force/length", "work of the external force so far"},                                   \
-    {                                                                                                        \
-        "total", "total", "force/length", "kinetic + strain; without loads it should keep its value"         \
-    }
-/* On request; the reaction where an end is held. */
-#define AXIAL_SERIES_MOMENTUM(of_when)                                                                       \
-    {"momentum", "momentum", "mass/length/time", "momentum of all particles"},                               \
-    {                                                                                                        \
-        "reaction", "reaction", "force/length^2", "force of the supports on the bar, +x" of_when             \
-    }
+/* Quantities of the series that both have: {AXIAL_...}. Momentum and reaction are on request, the latter
+ * where an end is held. */
+#define AXIAL_V_CM    "v_cm", "v_cm", "length/time", "velocity of the centre of mass"
+#define AXIAL_X_CM    "x_cm", "x_cm", "length", "position of the centre of mass"
+#define AXIAL_KINETIC "kinetic", "kinetic", "force/length", "kinetic energy of the particles"
+#define AXIAL_WORK    "work", "work", "force/length", "work of the external force so far"
+#define AXIAL_TOTAL                                                                                          \
+    "total", "total", "force/length", "kinetic + strain; without loads it should keep its value"
+#define AXIAL_MOMENTUM "momentum", "momentum", "mass/length/time", "momentum of all particles"
+#define AXIAL_REACTION "reaction", "reaction", "force/length^2", "force of the supports on the bar, +x"
 
 /* Of particles `spacing` apart: how many at a free end have their middle in the traction's layer h of paper
  * M, eq. 11. */

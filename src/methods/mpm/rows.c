@@ -180,17 +180,20 @@ typedef enum Entry {
 } Entry;
 
 static const Quantity line[LINE_ENTRIES] = {
-    AXIAL_SERIES_BEGIN,
+    {AXIAL_V_CM},
+    {AXIAL_X_CM},
     {"x_cm_rate", "d(x_cm)/dt", "length/time",
      "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"},
-    AXIAL_SERIES_KINETIC,
+    {AXIAL_KINETIC},
     {"kinetic_grid", "seen by grid", "force/length",
      "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
     {"kinetic_null", "null space", "force/length",
      "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"},
     {"strain", "strain", "force/length", "strain energy of the particles"},
-    AXIAL_SERIES_END,
-    AXIAL_SERIES_MOMENTUM(" in the last step"),
+    {AXIAL_WORK},
+    {AXIAL_TOTAL},
+    {AXIAL_MOMENTUM},
+    {AXIAL_REACTION " in the last step"},
 };
 
 static const Quantity beam[ENTRIES] = {

@@ -125,16 +125,6 @@ static double x_cm(Beam *beam)
     return beam->def.length / 2 + moved / n;
 }
 
-static const Quantity line_series[BAR_SERIES] = {
-    AXIAL_SERIES_BEGIN,
-    AXIAL_SERIES_KINETIC,
-    {"strain", "strain", "force/length", "strain energy of the bonds"},
-    AXIAL_SERIES_END,
-    AXIAL_SERIES_MOMENTUM(""),
-};
-static double (*const line_values[BAR_SERIES])(Beam *) = {v_cm, x_cm,  beam_kinetic, beam_strain,
-                                                          work, total, momentum_x,   reaction_x};
-
 typedef struct SeriesEntry {
     Quantity quantity;
     double (*value)(Beam *beam);
@@ -144,6 +134,14 @@ typedef struct SeriesEntry {
 enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED | 1 << BEAM_PLATE };
 
 static const SeriesEntry series[BEAM_SERIES_MAX] = {
+    {{AXIAL_V_CM}, v_cm, 1 << BEAM_BAR},
+    {{AXIAL_X_CM}, x_cm, 1 << BEAM_BAR},
+    {{AXIAL_KINETIC}, beam_kinetic, 1 << BEAM_BAR},
+    {{"strain", "strain", "force/length", "strain energy of the bonds"}, beam_strain, 1 << BEAM_BAR},
+    {{AXIAL_WORK}, work, 1 << BEAM_BAR},
+    {{AXIAL_TOTAL}, total, 1 << BEAM_BAR},
+    {{AXIAL_MOMENTUM}, momentum_x, 1 << BEAM_BAR},
+    {{AXIAL_REACTION}, reaction_x, 1 << BEAM_BAR},
     {{"u_probe", "u", "m", "transverse displacement at the probe"}, u_probe, ALL},
     {{"v_probe", "v", "m/s", "transverse velocity at the probe"}, v_probe, ALL},
     {{"ux_probe", "ux", "m", "displacement along the plate at the probe"}, ux_probe, 1 << BEAM_PLATE},
@@ -185,22 +183,16 @@ void beam_row(Simulation *sim, double *out)
 {
     ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
-    for (int k = 0; k < sim->n_series; k++) {
-        const int entry = beam->series_entry[k];
-        out[k] = beam->lattice.line ? line_values[entry](beam) : series[entry].value(beam);
-    }
+    for (int k = 0; k < sim->n_series; k++)
+        out[k] = series[beam->series_entry[k]].value(beam);
 }
 
 void beam_set_series(Beam *beam)
 {
     Simulation *sim = &beam->sim;
-    const bool held = beam->n_supports > 0 || beam_held_columns(beam, 0) > 0;
-    for (int k = 0; beam->lattice.line && k < BAR_SERIES; k++)
-        if (line_values[k] != reaction_x || beam->def.left_fixed || beam->def.right_fixed) {
-            beam->series_entry[sim->n_series] = k;
-            beam->series[sim->n_series++] = line_series[k];
-        }
-    for (int k = 0; !beam->lattice.line && k < BEAM_SERIES_MAX; k++)
+    const bool held = beam->lattice.line ? beam->def.left_fixed || beam->def.right_fixed
+                                         : beam->n_supports > 0 || beam_held_columns(beam, 0) > 0;
+    for (int k = 0; k < BEAM_SERIES_MAX; k++)
         if ((series[k].problems >> beam->def.problem & 1) &&
             (series[k].value != damped || beam->damping > 0) &&
             (held || (series[k].value != reaction_x && series[k].value != reaction_y))) {
