@@ -56,6 +56,7 @@ typedef struct DiagnoseTable {
     double spacing,
         spacing_bound;   /* of its times as they are written, where they alone tell the step; else 0 */
     double time_factor;  /* they times it are ours */
+    double head_factor;  /* likewise as the unit in their head says; 0: it has none */
     int step_column;     /* of the file; -1: none */
     bool half;           /* its times are those of half steps */
     long shift;          /* its row of step n holds what the run has after step n + shift */

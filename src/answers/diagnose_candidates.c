@@ -26,6 +26,11 @@ typedef struct List {
     int count;
 } List;
 
+bool diagnose_is_of_plane(const Settings *settings)
+{
+    return !(settings->problem->concerns & (CONCERN_BAR | CONCERN_POINT));
+}
+
 bool diagnose_is_share(const Parameter *parameter)
 {
     return parameter->type == PARAMETER_REAL && parameter->least == 0 && parameter->most == 1;
@@ -319,7 +324,7 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
                     parameter->choice_help ? parameter->choice_help((int)settings_number(settings, parameter))
                                            : value);
     }
-    if (settings->method == METHOD_PD && settings->problem->concerns & CONCERN_PLANE &&
+    if (settings->method == METHOD_PD && diagnose_is_of_plane(settings) &&
         settings_lattice(settings)->surface_correction == SURFACE_NONE &&
         settings_lattice(settings)->volume_correction == VOLUME_NONE)
         text_append(out, size, "%s%s", *out ? ", " : "", "no corrections");

@@ -70,6 +70,7 @@ enum { CANDIDATES_MAX = 1200 };
 /* Every two mistakes. */
 int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX]);
 
+bool diagnose_is_of_plane(const Settings *);                 /* where a run takes long */
 bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */
 bool diagnose_is_share(const Parameter *);                   /* whether it is any number from 0 to 1 */
 
@@ -144,10 +145,11 @@ typedef struct DiagnoseReading {
     int n_columns;
 } DiagnoseReading;
 
-/* The likeliest first; that which agrees with a right code alone, where one does. Returns how many there are;
- * -1: it was given up, or there is no memory. */
+/* The likeliest first; that which agrees with a right code alone, where one does. `deep`: of the plane that
+ * with which a wrong code agrees, which takes many runs. Returns how many there are; -1: it was given up, or
+ * there is no memory. */
 enum { READINGS_MAX = 4 };
-int diagnose_readings(const Search *, DiagnoseReading out[READINGS_MAX]);
+int diagnose_readings(const Search *, bool deep, DiagnoseReading out[READINGS_MAX]);
 
 /* Time steps that differ by less are one, as where it is a number of single precision. */
 #define DIAGNOSE_SAME_STEP 2e-7

@@ -284,17 +284,21 @@ static const Quantity *nth_quantity(const Simulation *sim, int i)
     return i < sim->n_fields ? &sim->fields[i].quantity : &sim->series[i - sim->n_fields];
 }
 
-/* What numbers of a unit are at most when the run begins. */
+/* What numbers of the unit of each source are at most when the run begins. */
 static void find_sizes(Trials *trials, Simulation *sim)
 {
     simulation_row(sim, trials->row);
-    for (int i = 0; i < sim->n_fields + sim->n_series; i++) {
-        int alike = 0;
-        while (!diagnose_are_alike(nth_quantity(sim, alike), nth_quantity(sim, i)))
-            alike++;
-        trials->size[i] =
-            alike < i ? trials->size[alike] : diagnose_size_at_start(sim, nth_quantity(sim, i), trials->row);
-    }
+    for (int c = 0; c < trials->search->table->n_columns; c++)
+        for (size_t k = 0; k < trials->sources[c].count; k++) {
+            const Source *source = &trials->sources[c].all[k];
+            const int i = source->series >= 0 ? sim->n_fields + source->series : source->field;
+            int alike = 0;
+            while (!diagnose_are_alike(nth_quantity(sim, alike), nth_quantity(sim, i)))
+                alike++;
+            if (trials->size[alike] < 0)
+                trials->size[alike] = diagnose_size_at_start(sim, nth_quantity(sim, i), trials->row);
+            trials->size[i] = trials->size[alike];
+        }
 }
 
 static void read_fields(Simulation *sim, void *context)
@@ -432,6 +436,8 @@ static bool make_room(Trials *trials, const Simulation *sim)
     trials->row = malloc(((size_t)sim->n_series + 1) * sizeof *trials->row);
     trials->size = malloc((all + 1) * sizeof *trials->size);
     trials->most = calloc(all + 1, sizeof *trials->most);
+    for (size_t i = 0; trials->size && i < all; i++)
+        trials->size[i] = -1;
     return sound && trials->row && trials->size && trials->most;
 }
 
@@ -500,7 +506,8 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
         const bool told = fabs(table->spacing - table->scenario_dt) <= /* rows of the scenario's own steps */
                           table->spacing_bound + DIAGNOSE_SAME_STEP * table->spacing;
         if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX &&
-            (plain || (!told && times.shift == 0 && factor == trials->times[0].factor)))
+            (plain || (times.shift == 0 && factor == trials->times[0].factor &&
+                       (!told || 10.5 * dt > table->spacing * factor))))
             trials->times[trials->n_times++] = times;
         for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
             Settings settings = *right;
@@ -591,7 +598,9 @@ static bool try_all_times(Trials *trials, bool *found)
     const DiagnoseTable *table = trials->search->table;
     const double dt = table->scenario_dt, share = table->spacing_bound / fmax(table->spacing, 1e-300);
     const bool far = table->spacing > 99 * dt;
-    const double factors[] = {far ? 1e-3 : 1, far ? 1 : 1e-3, 1e-6}; /* but for one that --map has given */
+    /* the unit in their head first, but for one that --map has given */
+    const double told = table->head_factor, first = told > 0 ? told : far ? 1e-3 : 1;
+    const double factors[] = {first, first == 1 ? 1e-3 : 1, first == 1e-6 ? 1e-3 : 1e-6};
     static const double steps[] = {2, 5, 0.5, 2.5, 4, 3, 8, 0.2, 0.1, 0.25, 9}; /* where no time tells it */
     static const int parts[] = {2, 3, 4, 5, 8, 10, 20, 25, 40, 50, 100};
     if (table->step_column >= 0 || table->of_stages || !(table->spacing > 0)) {
@@ -610,7 +619,7 @@ static bool try_all_times(Trials *trials, bool *found)
             const bool given = table->time_factor != 1;
             const double factor = given ? table->time_factor : factors[f];
             const double spacing = roundest(table->spacing * factor, table->spacing_bound * factor, dt);
-            const bool likely = f == 0 || (f == 1 && far);
+            const bool likely = f == 0 || (f == 1 && far && !(told > 0));
             if (given && f > 0)
                 continue;
             if (f > 0 && !likely && !(spacing > dt / 50 && spacing < 1000 * dt))
@@ -723,7 +732,7 @@ static bool is_of_point(const Trials *trials)
     return false;
 }
 
-int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
+int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READINGS_MAX])
 {
     const DiagnoseTable begun = *search->table;
     const DiagnoseReading as_it_is = {
@@ -737,22 +746,25 @@ int diagnose_readings(const Search *search, DiagnoseReading out[READINGS_MAX])
     int count = 0;
     if (trials) {
         trials->search = search;
-        const bool of_bar = !(search->task->settings->problem->concerns & CONCERN_PLANE);
+        const bool of_bar = !diagnose_is_of_plane(search->task->settings);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
-        for (int i = 0; i < 4 * ways && sound && !found; i++) { /* right codes first */
+        for (int i = 0; i < 5 * ways && sound && !found; i++) { /* right codes first */
             const int round = i / ways;
             trials->nodes = i % ways;
             if (round == 0)
                 sound = try_all_times(trials, &found);
-            else if (trials->doubt == 0 && (of_bar || (round < 3 && is_of_point(trials))))
+            else if (round == 4 && of_bar && trials->count == 0)
+                sound = try_codes(trials, true, 2, 3, &found);
+            else if (round < 4 && trials->doubt == 0 &&
+                     (of_bar || (round < (deep ? 3 : 2) && is_of_point(trials))))
                 sound = try_codes(trials, round == 2, round == 3 ? 3 : 0,
                                   !of_bar      ? 1
                                   : round == 3 ? 4
                                                : 3,
                                   &found);
         }
-        count = sound ? choose(trials, out) : -1;
+        count = !sound ? -1 : deep && !found ? 0 : choose(trials, out);
         for (int f = 0; f < FIELDS_MAX; f++)
             free(trials->field[f]);
         for (int c = 0; c < DIAGNOSE_COLUMNS_MAX; c++)

@@ -331,7 +331,9 @@ static bool try_listed(Search *search, Listed what)
 /* A few numbers do not single out one of thousands of codes, and each of the plane is built for them. */
 static bool of_few_numbers(const Search *search)
 {
-    return search->right.problem->concerns & CONCERN_PLANE && search->walk.departing <= ENTRIES_LEAST;
+    enum { FEW_DIGITS = 15 };
+    return diagnose_is_of_plane(&search->right) &&
+           search->walk.departing * (size_t)diagnose_digits_written(search->table) < FEW_DIGITS;
 }
 
 /* Right codes of all schemes; where one agrees also the mistakes that the file cannot show, in the first of
@@ -406,7 +408,7 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
     sound = sound && try_other_steppings(search);
     /* two mistakes, where no one thing explains the file */
     search->found->pairs_left = !few && search->found->n_explanations == 0 && !search->task->pairs &&
-                                search->right.problem->concerns & CONCERN_PLANE;
+                                diagnose_is_of_plane(&search->right);
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
                                                       settings_transfer(&search->given)->algorithm)) {
@@ -485,6 +487,16 @@ static bool judge(Search *search, bool wrong)
     return true;
 }
 
+/* A reading that was left, with its steps. */
+static void put_back(DiagnoseTable *table, const DiagnoseTable *left)
+{
+    const DiagnoseReading reading = {
+        .dt = left->dt, .time_factor = left->time_factor, .shift = left->shift, .last = INFINITY};
+    *table = *left;
+    diagnose_read_as(table, &reading);
+    *table = *left;
+}
+
 /* Each way to read the table, the likeliest first, up to one that a right code explains, then to one that a
  * mistake does; else as the first that a value does, or as the first. Where nothing tells the time step but
  * the numbers, readings with another than the scenario's come after its mistakes: a few digits of a curve fit
@@ -497,8 +509,8 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
     Diagnosis first = nothing;
     DiagnoseTable as_first = begun;
     Status why = {STATUS_DONE, ""};
-    int first_of = -1;
-    for (int i = 0; i < 4 * count && !(first_of >= 0 && diagnose_time_is_up(search)); i++) {
+    bool is_first = false;
+    for (int i = 0; i < 4 * count && !(is_first && diagnose_time_is_up(search)); i++) {
         const Diagnosis before = *search->found;
         const bool wrong = i / count % 2, guessed = i >= 2 * count;
         if (guessed != (!begun.timed && readings[i % count].dt != begun.scenario_dt))
@@ -517,20 +529,21 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
             return false;
         const bool by_value = search->found->verdict == DIAGNOSE_EXPLAINED &&
                               search->found->explanations[0].kind == DIAGNOSE_VALUE;
-        if (search->found->verdict != DIAGNOSE_UNKNOWN && !by_value)
+        const bool known = search->found->verdict != DIAGNOSE_UNKNOWN,
+                   few_rows = table->n_moments < table->all_moments / 2; /* where round-off grows */
+        if (known && !by_value && !few_rows)
             return true;
         /* a value that fits a few rows is less likely than a mistake in another reading */
-        if (wrong && (first_of < 0 || (by_value && first.verdict == DIAGNOSE_UNKNOWN)))
-            first_of = i % count, first = *search->found, as_first = *table;
+        if (is_first ? known && first.verdict == DIAGNOSE_UNKNOWN : wrong || known)
+            is_first = true, first = *search->found, as_first = *table;
     }
-    if (first_of < 0)
+    if (!is_first)
         return status_refuse(search->status, "%s: the scenario cannot be run with its time step %.10g%s%s",
                              table->file.file, readings[0].dt, *why.text ? ": " : "", why.text);
     first.tried = search->found->tried;
     first.time_up = search->found->time_up;
-    diagnose_read_as(table, &readings[first_of]); /* its steps */
     *search->found = first;
-    *table = as_first;
+    put_back(table, &as_first);
     return true;
 }
 
@@ -579,7 +592,34 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
     if (search->found->verdict != DIAGNOSE_UNKNOWN)
         return true;
     *search->found = before;
-    *table = as_before;
+    put_back(table, &as_before);
+    return true;
+}
+
+/* By the likely readings; in the plane, where they lead to nothing, by that with which a wrong code agrees:
+ * of what point a column is may show only where the right one departs. */
+static bool judge_all(Search *search, DiagnoseReading *readings, int count)
+{
+    const Diagnosis begun = *search->found;
+    const DiagnoseTable as_read = *search->table;
+    if (!judge_by_noise(search, readings, count))
+        return false;
+    if (search->found->verdict != DIAGNOSE_UNKNOWN || diagnose_time_is_up(search) ||
+        !diagnose_is_of_plane(search->task->settings))
+        return true;
+    const Diagnosis before = *search->found;
+    const DiagnoseTable as_before = *search->table;
+    *search->table = as_read;
+    count = diagnose_readings(search, true, readings);
+    if (count < 0)
+        return status_fail(search->status, "interrupted");
+    *search->found = begun;
+    if (count > 0 && !judge_by_noise(search, readings, count))
+        return false;
+    if (search->found->verdict != DIAGNOSE_UNKNOWN)
+        return true;
+    *search->found = before;
+    put_back(search->table, &as_before);
     return true;
 }
 
@@ -602,7 +642,7 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
     bool sound = (search->values && readings) || status_fail(status, "out of memory");
     sound =
         sound && settings_refuse_mistake(&search->right, "a file is compared with the right code", status);
-    const int count = sound ? diagnose_readings(search, readings) : -1;
+    const int count = sound ? diagnose_readings(search, false, readings) : -1;
     sound = sound &&
             (count > 0 ||
              status_refuse(
@@ -612,7 +652,7 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
                      ? "%s: the time was up before its columns were known (--time)"
                      : "%s: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)",
                  table->file.file)) &&
-            judge_by_noise(search, readings, count);
+            judge_all(search, readings, count);
     free(readings);
     free(search->values);
     free(search->grown);

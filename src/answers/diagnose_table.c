@@ -167,7 +167,7 @@ static void find_kinds(const char *name, char *out, size_t size)
 /* A name without the unit behind it, "time (s)", "v [m/s]" and "t_ms", its words joined. */
 static void clean_name(char name[OVERLAY_NAME_MAX])
 {
-    static const char *const units[] = {"_mm_s", "_m_s", "_ms", "_sec", "_s", "_mm"};
+    static const char *const units[] = {"_mm_s", "_m_s", "_ms", "_us", "_sec", "_s", "_mm"};
     const size_t length = strcspn(name, "([");
     if (length > 0)
         name[length] = '\0';
@@ -184,6 +184,33 @@ static void clean_name(char name[OVERLAY_NAME_MAX])
             name[end - wide] = '\0';
             break;
         }
+    }
+}
+
+/* Names of columns without their units; that of the times is kept. */
+static void clean_names(DiagnoseTable *table)
+{
+    static const struct {
+        const char *name;
+        double factor;
+    } units[] = {{"s", 1},     {"sec", 1},          {"ms", 1e-3},       {"msec", 1e-3},
+                 {"us", 1e-6}, {"\xc2\xb5s", 1e-6}, {"\xce\xbcs", 1e-6}};
+    const Names none = {.n_mapped = 0};
+    const bool taken[OVERLAY_COLUMNS_MAX] = {false};
+    char head[OVERLAY_NAME_MAX];
+    double factor;
+    for (int c = 0; c < table->file.n_columns; c++) {
+        char *name = table->file.columns[c].name;
+        memcpy(head, name, sizeof head);
+        clean_name(name);
+        if (column_of(&table->file, &none, "time", taken, &factor) != c)
+            continue;
+        const char *unit = head + strlen(name);
+        unit += strspn(unit, " ,_/([");
+        const size_t wide = strcspn(unit, ")] ");
+        for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+            if (strlen(units[i].name) == wide && strncasecmp(unit, units[i].name, wide) == 0)
+                table->head_factor = units[i].factor;
     }
 }
 
@@ -764,8 +791,6 @@ static bool number_in(const char *head, const char *stem, size_t length, double 
  * tables of things are. */
 static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
 {
-    for (int c = 0; c < file->n_columns; c++)
-        clean_name(file->columns[c].name);
     const char *last = file->columns[file->n_columns - 1].name;
     const size_t stem = strcspn(last, "0123456789");
     double number;
@@ -866,8 +891,10 @@ bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, co
         return false;
     for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
         snprintf(table->stage_ids[table->n_stages++], sizeof table->stage_ids[0], "%s", sim->stages[i].id);
-    const bool sound = overlay_read_words(&table->file, stream, file, take_word, table, status) &&
-                       lengthen(&table->file, sim, status) && read_rows(table, settings, map, sim, status);
+    bool sound = overlay_read_words(&table->file, stream, file, take_word, table, status);
+    if (sound)
+        clean_names(table);
+    sound = sound && lengthen(&table->file, sim, status) && read_rows(table, settings, map, sim, status);
     simulation_destroy(sim);
     if (!sound)
         diagnose_close(table);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Tables as courses write them (make.py) get the verdict of the list at first try, none wrongly named and no wrong code
-# acquitted; so do some of codes drawn at random (drawn): bars, bars and beams by bonds, beams of cells. Every third
+# acquitted; so do some of codes drawn at random (drawn): bars, beams, plates by bonds and cells. Every third
 # of each list, and all with MATVIB_WIDE.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
