@@ -3,7 +3,6 @@
 'use strict';
 
 const WORDS_MOST = 40;
-const data = JSON.parse(element('data').textContent);
 
 // A link may choose what there is and set parameters, no more: no files, no other options. What it cannot do is said.
 const is_builtin = (kind, name) => data[kind + 's'].some((row) => row.name === name);

@@ -23,7 +23,8 @@ function begin(words, {files = [], input = ''} = {}) {
 	answers = false;
 	followed = null;
 	clearTimeout(following);
-	const begun = worker = new Worker(worker_address());
+	const begun = worker = spare || new Worker(worker_address());
+	spare = null;
 	// what the program before has still to say comes before this
 	term.write('', () => { if (worker === begun) followed = ''; });
 	worker.onmessage = ({data}) => {
@@ -105,46 +106,6 @@ async function open_one({scenario, lesson, sets = [], name = '', id = '', sheet 
 function open_again() {
 	if (opened.recording && written.has(opened.recording) && !about_session(opened.recording).whole) return go_on(opened.recording);
 	open_one({[opened.kind]: is_known() ? opened.name : undefined, sets: opened.sets, sheet: opened.sheet});
-}
-
-function worker_address() {
-	const inlined = element('worker');
-	if (!inlined) return 'worker.js';
-	if (!worker_address.made)
-		worker_address.made = URL.createObjectURL(new Blob([inlined.textContent], {type: 'text/javascript'}));
-	return worker_address.made;
-}
-
-// Compiled once, for every start. From a server it is while it comes, and kept by the browser, where it is named as what it is.
-async function load_program() {
-	const inlined = element('program');
-	if (!inlined) {
-		const answer = await fetch('matvib.wasm');
-		if (!answer.ok) throw new Error('matvib.wasm: ' + answer.status);
-		let come = 0;
-		const counted = answer.body.pipeThrough(new TransformStream({transform(chunk, out) {
-			loading((come += chunk.length) / data.bytes);
-			out.enqueue(chunk);
-		}}));
-		const counting = new Response(counted, {headers: answer.headers});
-		return answer.headers.get('content-type') === 'application/wasm' ? WebAssembly.compileStreaming(counting) : WebAssembly.compile(await counting.arrayBuffer());
-	}
-	loading(.5);
-	return new Promise((done, fail) => {
-		const unpacking = new Worker(worker_address());
-		unpacking.onmessage = ({data}) => {
-			unpacking.terminate();
-			data.program ? done(data.program) : fail(new Error(data.text));
-		};
-		unpacking.onerror = (event) => fail(new Error(event.message || 'its worker could not be begun'));
-		unpacking.postMessage({unpack: inlined.textContent});
-	});
-}
-
-function loading(share) {
-	element('loading').hidden = share >= 2;
-	element('loading-share').value = Math.min(1, share);
-	element('loading-text').textContent = 'Loading the program: ' + Math.round(100 * Math.min(1, share)) + ' %';
 }
 
 function why_not(error) {
@@ -255,9 +216,6 @@ function listen() {
 async function main() {
 	if (typeof WebAssembly !== 'object' || typeof DecompressionStream !== 'function')
 		return give_up('This browser is too old for this page: it has no WebAssembly. A newer Firefox, Chrome, Edge or Safari has.');
-	loading(0);
-	const comes = load_program(); // while the terminal is made
-	comes.catch(() => {}); // is told where it is waited for
 	element('licences').textContent = data.licences;
 	fill_chooser();
 	await Promise.all([document.fonts.load('15px "Cascadia Mono"', 'matvib'), document.fonts.load('15px "Cascadia Mono"', '⣿'),
@@ -269,7 +227,7 @@ async function main() {
 	show_fingers();
 	fit_type();
 	listen();
-	program = await comes;
+	program = await program_comes;
 	loading(2);
 	plain.turn(words_of_link(location.search).plain);
 	await open_link();

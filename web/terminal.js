@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The terminal: its look, its size, its keys without those of the browser. The first of the page's scripts; each has one
-// subject, and what they share, `term` among it, is global. Text from outside, of a link, a file or the program, becomes text of an
-// element and never HTML.
+// The terminal: its look, its size, its keys without those of the browser. Each script of the page has one subject, and what they
+// share, `term` among it, is global. Text from outside, of a link, a file or the program, becomes text of an element and never HTML.
 'use strict';
-
-const element = (id) => document.getElementById(id);
 
 const notice = (text, ...parts) => {
 	element('notice').replaceChildren(text, ...parts);
@@ -37,7 +34,7 @@ const term = new Terminal({
 	theme: themes[look()], scrollback: 0, cursorBlink: false, allowProposedApi: true,
 });
 
-const fit = new FitAddon.FitAddon();
+const fit = new FitAddon();
 let worker = null, program = null;
 let answers = false; // the program has said something, and takes keys
 

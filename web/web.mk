@@ -13,7 +13,7 @@ ncurses = $(work)/ncurses/lib/libncursesw.a
 gsl = $(work)/gsl/libgsl.a
 utf8proc = $(work)/utf8proc/libutf8proc.a
 npm = $(work)/node_modules/.installed
-parts = index.html matvib.css terminal.js vectors.js plain.js address.js kept.js files.js fingers.js page.js worker.js host.js offline.js licences.txt
+parts = index.html matvib.css load.js terminal.js vectors.js plain.js address.js kept.js files.js fingers.js page.js worker.js host.js offline.js licences.txt
 
 # at most four at a time, where nobody says how many
 ifeq ($(filter -j% --jobserver%,$(MAKEFLAGS)),)

@@ -448,6 +448,17 @@ async function homework_is_kept() {
 	await keys('b');
 	await sooner(kept, (text) => / b\n$/.test(text));
 	result('a key after the simulation has run is kept', /^at .* 5\n.*\nat .* 5\nat .* Enter\nat .* b\n$/m.test(await kept()), (await kept()).slice(-400) + await screen());
+	const told = await page.evaluate(async () => {
+		const begin = performance.now();
+		let count = 0;
+		worker.addEventListener('message', ({data}) => { count += /session$/.test(data.file); });
+		for (let i = 0; i < 40; i++) {
+			press(' ');
+			await new Promise((done) => { setTimeout(done, 50); });
+		}
+		return [count, 2 + (performance.now() - begin) / 1000];
+	});
+	result('the file is told of at most once a second', told[0] > 0 && told[0] <= told[1], told);
 	await page.reload();
 	await is_open('kept-sheet');
 	result('a reload offers to go on', /^go on with Eve's \(1 answer, \d\d:\d\d\)start againit was somebody else$/.test(await text_of('#kept')), await text_of('#kept'));
@@ -503,6 +514,16 @@ async function homework_is_kept() {
 	await page.click('#whose-sheet [value=look]');
 	await until((text) => /1 of \d+|1\/\d+/.test(text));
 	result('without one the header says that nothing is kept', /only looking: nothing is kept/.test(await text_of('#whose')), await text_of('#whose'));
+	await page.evaluate(() => localStorage.clear());
+	await open(one + '?scenario=mode5');
+	await until(has('Space pause'));
+	await keys('f');
+	await page.waitForFunction(() => /sheet=full/.test(location.search));
+	await page.select('#chooser', 'lesson homework-late');
+	await is_open('whose-sheet');
+	await page.type('#name', 'Bob');
+	await page.click('#whose-sheet [value=begin]');
+	await becomes('the sheet that one student chose is not the next one\'s', kept, (text) => /^student Bob$/m.test(text) && /^sheet plain$/m.test(text));
 	await page.evaluate(() => localStorage.clear());
 }
 
@@ -639,14 +660,26 @@ async function selecting() {
 	result('a short one selects nothing, however busy the page is', (await selection()) === '', await selection());
 }
 
+const paste = (text) => page.evaluate((text) => {
+	const clip = new DataTransfer();
+	clip.setData('text/plain', text);
+	term.textarea.dispatchEvent(new ClipboardEvent('paste', {clipboardData: clip, dataType: 'text/plain', data: text, bubbles: true, cancelable: true}));
+}, text);
+
 // What a browser's keys are for stays so.
 async function browser_keys() {
 	await open(one);
 	await until(has('Space pause'));
-	await page.evaluate(() => addEventListener('keydown', (event) => { window.taken = (window.taken || '') + (event.defaultPrevented ? '+' : '-') + event.key; event.preventDefault(); }));
+	await page.evaluate(() => {
+		window.note_key = (event) => { window.taken = (window.taken || '') + (event.defaultPrevented ? '+' : '-') + event.key; event.preventDefault(); };
+		addEventListener('keydown', note_key);
+	});
 	for (const key of ['r', 'f', 'p', 's', 'l']) { await page.keyboard.down('Control'); await page.keyboard.press(key); await page.keyboard.up('Control'); }
 	for (const key of ['F3', 'F5', 'F11']) await page.keyboard.press(key);
-	const taken = await page.evaluate(() => window.taken.replace(/.Control/g, ''));
+	const taken = await page.evaluate(() => {
+		removeEventListener('keydown', note_key);
+		return window.taken.replace(/.Control/g, '');
+	});
 	result('Ctrl with R, F, P, S, L and F3, F5, F11 are the browser\'s', taken === '-r-f-p-s-l-F3-F5-F11', taken);
 	await page.keyboard.down('Control'); await page.keyboard.press('c'); await page.keyboard.press('c'); await page.keyboard.up('Control');
 	const copied = await page.evaluate(() => {
@@ -661,18 +694,10 @@ async function browser_keys() {
 	await type(':');
 	const {time: answered} = await until((text) => text.split('\n').pop().startsWith(' :'));
 	result('Ctrl+C does not end the program', answered < Infinity && !(await page.$eval('#end-sheet', (sheet) => sheet.open)));
-	await page.evaluate(() => {
-		const clip = new DataTransfer();
-		clip.setData('text/plain', 'mesh.cell_size=0.25');
-		term.textarea.dispatchEvent(new ClipboardEvent('paste', {clipboardData: clip, dataType: 'text/plain', data: clip.getData('text/plain'), bubbles: true, cancelable: true}));
-	});
+	await paste('mesh.cell_size=0.25');
 	await shows('what is pasted is typed', has('mesh.cell_size=0.25'));
 	await page.keyboard.press('Escape');
-	await page.evaluate(() => {
-		const clip = new DataTransfer();
-		clip.setData('text/plain', '[scenario]\ntitle = Pasted as text\nproblem = bar\nmethod = mpm\n');
-		term.textarea.dispatchEvent(new ClipboardEvent('paste', {clipboardData: clip, dataType: 'text/plain', data: clip.getData('text/plain'), bubbles: true, cancelable: true}));
-	});
+	await paste('[scenario]\ntitle = Pasted as text\nproblem = bar\nmethod = mpm\n');
 	await shows('a scenario that is pasted is opened', has('Pasted as text'));
 	await page.evaluate(() => { press('\x1b'); press(':mesh'); press('\x1b'); press(':behind\r'); });
 	await shows('a key right behind Esc is a key of its own', has('behind'));
@@ -681,9 +706,17 @@ async function browser_keys() {
 	const left = await focus();
 	await page.keyboard.press('F6');
 	result('F6 leaves the program and comes back', left === 'chooser' && /xterm/.test(await focus()), left + ' ' + await focus());
-	const marks = await page.evaluate(() => ['header', 'main', 'nav', 'h1', '#skip'].every((mark) => document.querySelector(mark)) && /F6/.test(term.textarea.getAttribute('aria-label')));
+	const marks = await page.evaluate(() => ['header', 'main', 'nav', 'h1', '#skip'].every((mark) => document.querySelector(mark)) && /F6/.test(term.textarea.getAttribute('aria-label')) &&
+		/F6/.test(element('about-sheet').textContent));
 	result('landmarks, a heading, a skip link, and F6 told', marks);
+	await page.focus('#skip');
+	await page.keyboard.press('Enter');
+	result('the skip link, first of all, leads to the program', (await page.evaluate(() => document.querySelector('a, button, select, input').id)) === 'skip' && /xterm/.test(await focus()), await focus());
 	result('what the screen shows can be read aloud', await page.$eval('.xterm-rows', (rows) => !rows.closest('[aria-hidden]') && /Pasted/.test(rows.textContent)));
+	await page.keyboard.press('F6');
+	for (let i = 0; i < 12 && (await focus()) !== 'words'; i++) await page.keyboard.press('Tab');
+	await page.keyboard.press('Enter');
+	await becomes('plain words are reached by the keyboard', focus, (id) => id === 'line');
 }
 
 // A frame that forbids forms, downloads and storage.
@@ -703,6 +736,8 @@ async function sandboxed() {
 	await frame.evaluate(() => element('files').click());
 	await frame.evaluate(() => document.querySelector('#files-sheet [value=close]').click());
 	result('whose sheets close without forms', await frame.evaluate(() => !element('files-sheet').open));
+	await frame.evaluate(() => element('link').click());
+	await becomes('a link that cannot be copied is shown', () => frame.$eval('#notice', (p) => p.textContent), (text) => /matvib\.html\?scenario=mode5/.test(text));
 	await frame.evaluate(() => save('x.csv', new Uint8Array(3)));
 	result('a download that may be forbidden is told', /frame allows no downloads/.test(await frame.$eval('#notice', (p) => p.textContent)));
 }
@@ -904,9 +939,23 @@ async function files_of_any_kind() {
 	spawnSync(process.env.MATVIB, ['mode1', '--script', 'sheet.script', '--record', 'own.session', '--force'], {cwd: scratch});
 	await drop('Own.Session', fs.readFileSync(path.join(scratch, 'own.session'), 'utf8'));
 	await shows('and a session is done again', has('Where mesh and bar agree'));
-	await page.evaluate(() => { written.set('a.csv', encoder.encode('x,y\n1,2\n')); written.set('ä.svg', encoder.encode('<svg/>')); });
-	const zip = path.join(scratch, 'all.zip');
-	fs.writeFileSync(zip, Buffer.from(await page.evaluate(async () => [...new Uint8Array(await archive(written).arrayBuffer())])));
+	await paste('@title A lesson that was copied\n@about Own.\n\n@page One\n@do open mode5\nRead that.\n');
+	await shows('a lesson is opened by pasting it', has('Read that.'));
+	await paste(fs.readFileSync(path.join(scratch, 'own.session'), 'utf8'));
+	await shows('and so is a session', has('Where mesh and bar agree'));
+	await paste('t,x\n0,0\n1,2\n');
+	await becomes('and a table', notice_of, (text) => /^pasted\.csv is drawn over the curves/.test(text));
+	await page.evaluate(() => {
+		written.set('a.csv', encoder.encode('x,y\n1,2\n'));
+		written.set('ä.svg', encoder.encode('<svg/>'));
+		show_files();
+		window.save = (name, bytes) => { window.saved = [name, ...new Uint8Array(bytes)]; };
+		element('files').click();
+		element('save-all').click();
+	});
+	const zip = path.join(scratch, 'all.zip'), [archive, ...bytes] = await sooner(() => page.evaluate(() => window.saved), Boolean);
+	result('its name', archive === 'matvib-files.zip', archive);
+	fs.writeFileSync(zip, Buffer.from(bytes));
 	const listed = spawnSync('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); print(z.testzip(), z.namelist(), z.read("a.csv"))', zip], {encoding: 'utf8'});
 	result('all files are saved in one archive', listed.stdout.trim() === "None ['a.csv', 'ä.svg'] b'x,y\\n1,2\\n'", listed.stdout + listed.stderr);
 }
