@@ -122,7 +122,7 @@ const vectors = {
 				const cell = line.getCell(left + x), code = cell ? cell.getCode() : -1;
 				const mark = marked.get(y * columns + x), drawn = (code >= 0x2800 && code < 0x2900) || (code >= 0x2580 && code <= 0x2593);
 				found[y * columns + x] = (crossed[y * columns + x] || mark) && (drawn || (code === mark && SHAPES.includes(mark)));
-				blank[y * columns + x] = code === 0 || code === 32;
+				blank[y * columns + x] = (code === 0 || code === 32) && cell.isBgDefault(); // nothing lies over the picture
 				if (code !== 0x2500) continue;
 				rules.add(y); // a line across, which curves have broken
 				found[y * columns + x] = 1;
@@ -163,7 +163,7 @@ const vectors = {
 				if (inside && from < 0) from = x;
 				if (!inside && from >= 0) {
 					const x0 = edge(left + from, across), y0 = edge(top + y, down);
-					pen.rect(x0, y0, edge(left + x, across) - x0, edge(top + y + 1, down) - y0);
+					pen.rect(x0 - 1, y0, edge(left + x, across) - x0 + 2, edge(top + y + 1, down) - y0); // cells end between pixels
 					from = -1;
 				}
 			}

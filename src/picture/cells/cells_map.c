@@ -108,14 +108,15 @@ static inline Span span_of(double x, double wide, int most)
     return (Span){span.from > 0 ? span.from : 0, span.end < most ? span.end : most};
 }
 
-static void cover_all(const Sheet *sheet)
+/* Particles of a cloud are apart where dots show it: `share` of their size. */
+static void cover_all(const Sheet *sheet, double share)
 {
     const PictureMap *map = sheet->map;
     const int width = sheet->area.rect.width * sheet->across, height = sheet->area.rect.height * sheet->down;
     double wide = GAPLESS * map->size * map->scale[0] * sheet->across;
     double high = GAPLESS * map->size * map->scale[1] * sheet->down;
     if (map->is_cloud && wide > CLOUD_DOTS)
-        wide *= CLOUD_SHARE, high *= CLOUD_SHARE;
+        wide *= share, high *= share;
     const size_t count = (size_t)map->nx * (size_t)map->ny;
     for (size_t k = 0; k < count; k++) {
         double column, row;
@@ -170,6 +171,18 @@ static int step_of(const Sheet *sheet, const Pixel *pixel)
     return is_body(pixel) ? step_in(sheet->map, (double)(pixel->sum / pixel->count)) : NOTHING;
 }
 
+/* A pixel that no piece covers, but all four beside it, lies within the body: the strain has parted them. */
+static void fill_holes(const Sheet *sheet, int columns, int rows)
+{
+    for (int y = 1; y < rows - 1; y++)
+        for (int x = 1; x < columns - 1; x++) {
+            Pixel *pixel = &sheet->pixels[(size_t)y * (size_t)columns + (size_t)x];
+            if (pixel->count <= 0 && is_body(pixel - 1) && is_body(pixel + 1) && is_body(pixel - columns) &&
+                is_body(pixel + columns))
+                *pixel = pixel[-1];
+        }
+}
+
 /* Braille: each of the eight dots is set where the value is above the dot's own threshold, so that more ink
  * is more; every other body has fewer dots where no colour tells it. What covers a part of a cell still has a
  * dot. */
@@ -200,14 +213,15 @@ static uint32_t dots_of(const Sheet *sheet, int x, int y)
 static void draw_heat(const Sheet *sheet)
 {
     const Area area = sheet->area;
-    cover_all(sheet);
+    cover_all(sheet, CLOUD_SHARE);
     /* The colours in pixels of half a cell across and a quarter down. */
     Sheet fine = *sheet;
     fine.across = 2, fine.down = 4;
     const int columns = area.rect.width * fine.across, rows = area.rect.height * fine.down;
     fine.pixels = area.canvas->vectored ? calloc((size_t)columns * (size_t)rows, sizeof *fine.pixels) : NULL;
     if (fine.pixels) {
-        cover_all(&fine);
+        cover_all(&fine, 1);
+        fill_holes(&fine, columns, rows);
         canvas_vector(area.canvas, ";M%d,%d ", columns, rows);
         for (int i = 0, run = 1; i < columns * rows; i++, run++) {
             const int step = step_of(&fine, &fine.pixels[i]);
