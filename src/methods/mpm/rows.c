@@ -227,7 +227,7 @@ static void add_column(Mpm *mpm, Entry entry, const Quantity *quantity)
         (entry == LENGTH && !mpm->plane.leaves_channel) ||
         (entry == KINETIC_NULL && mpm->dim == 2 && !plane_null_pays(mpm)))
         return;
-    mpm->series_entry[mpm->sim.n_series] = entry;
+    mpm->series_entry[mpm->sim.n_series] = (int)entry;
     mpm->series[mpm->sim.n_series++] = *quantity;
 }
 
