@@ -102,7 +102,7 @@ typedef struct Explanation {
     char words[200];      /* a sentence, without its full stop */
     char where[200];      /* of a mistake: stage and equation; else "" */
     char stage[24];       /* and the stage's id */
-    char scheme[64];      /* of that code: "USL, gimp" */
+    char scheme[128];     /* of that code: "USL, gimp" */
     char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none of */
     char set[2 * KEY_MAX]; /* "mesh.cell_size=0.5", with which that is; "": no other setting is needed */
     int compared;          /* that were made of both */
@@ -132,7 +132,7 @@ typedef struct Diagnosis {
     char agreeing[160]; /* where some depart: the columns that change, and agree in all rows; "": none */
     double farthest;    /* the largest departure of all, as a share of its column's size */
     bool single;        /* it is judged as numbers of single precision */
-    char scheme[64];    /* of the right run */
+    char scheme[128];   /* of the right run */
     Explanation
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */

@@ -171,6 +171,9 @@ result "is a scheme" says out '^Right, USF, flip_fraction 0\.5\.$'
 make blended.csv mode5 --steps 50 --set mpm.flip_fraction=0.95 --set mpm.algorithm=usl --set mpm.shape=gimp
 expect "a share in another scheme" 0 mode5 blended.csv
 result "is one too" says out '^Right, USL, gimp, flip_fraction 0\.95\.$'
+make longest.csv mode5-peridynamics --steps 50 --set pd.stepping=euler_position --set pd.surface_correction=energy --set pd.volume_correction=partial --set pd.influence=conical
+expect "a scheme of the longest name" 0 mode5-peridynamics longest.csv
+result "is named in full" says out '^Right, symplectic Euler (move first), surface energy, volume partial, influence conical\.$'
 make pushing.csv mode5 --steps 50 --set mpm.algorithm=usl --set mpm.shape=gimp --set mpm.mistake=force_sign
 expect "a mistake in another scheme" 1 mode5 pushing.csv
 result "is named with its scheme" says out '^Mistake: force_sign (USL, gimp)\.$'
