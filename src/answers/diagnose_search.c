@@ -332,8 +332,9 @@ static bool try_listed(Search *search, Listed what)
 static bool of_few_numbers(const Search *search)
 {
     enum { FEW_DIGITS = 15 };
+    const size_t departing = search->walk.departing;
     return diagnose_is_of_plane(&search->right) &&
-           search->walk.departing * (size_t)diagnose_digits_written(search->table) < FEW_DIGITS;
+           (departing < 2 || departing * (size_t)diagnose_digits_written(search->table) < FEW_DIGITS);
 }
 
 /* Right codes of all schemes; where one agrees also the mistakes that the file cannot show, in the first of
@@ -393,7 +394,9 @@ static bool try_other_steppings(Search *search)
 static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
 {
     const bool few = search->walk.departing < ENTRIES_LEAST;
-    const int most = of_few_numbers(search) ? 0 : schemes[count - 1].choices;
+    const int most = of_few_numbers(search)                        ? 0
+                     : few && diagnose_is_of_plane(&search->right) ? 1
+                                                                   : schemes[count - 1].choices;
     bool sound = true;
     for (int choices = 0; choices <= most && sound && search->found->n_explanations == 0; choices++) {
         for (int s = 0; s < count && sound; s++) {
@@ -605,14 +608,15 @@ static bool judge_all(Search *search, DiagnoseReading *readings, int count)
     if (!judge_by_noise(search, readings, count))
         return false;
     if (search->found->verdict != DIAGNOSE_UNKNOWN || diagnose_time_is_up(search) ||
-        !diagnose_is_of_plane(search->task->settings))
+        !diagnose_is_of_plane(search->task->settings) || of_few_numbers(search))
         return true;
     const Diagnosis before = *search->found;
     const DiagnoseTable as_before = *search->table;
     *search->table = as_read;
     count = diagnose_readings(search, true, readings);
     if (count < 0)
-        return status_fail(search->status, "interrupted");
+        return status_fail(search->status,
+                           cancel_requested(&search->task->cancel, 0) ? "interrupted" : "out of memory");
     *search->found = begun;
     if (count > 0 && !judge_by_noise(search, readings, count))
         return false;

@@ -171,8 +171,8 @@ static void clean_name(char name[OVERLAY_NAME_MAX])
     const size_t length = strcspn(name, "([");
     if (length > 0)
         name[length] = '\0';
-    char *unit = strstr(name, " / ");
-    if (unit)
+    char *unit = strchr(name, '/'); /* t / s, t/ms */
+    if (unit && unit > name && (strncmp(unit - 1, " / ", 3) == 0 || strlen(unit) <= 4))
         *unit = '\0';
     for (size_t end = strlen(name); end > 0 && strchr(" \t,_", name[end - 1]); end--)
         name[end - 1] = '\0';
@@ -219,18 +219,16 @@ static void clean_names(DiagnoseTable *table)
 /* The name of a stage is its number; what overflowed is infinite, and what was not written is missing. */
 static bool take_word(const char *column, const char *cell, double *value, void *context)
 {
-    static const char *const lost[] = {"nan", "inf", "infinity"}, *const missing[] = {"null", "none"};
+    static const char *const missing[] = {"null", "none"};
     const DiagnoseTable *table = context;
     for (int i = 0; i < table->n_stages; i++)
         if (strcasecmp(cell, table->stage_ids[i]) == 0) {
             *value = i + 1;
             return true;
         }
-    *value = INFINITY;
-    for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
-        if (strcasecmp(cell + (*cell == '-' || *cell == '+'), lost[i]) == 0)
-            return true;
-    *value = NAN;
+    *value = overlay_is_not_finite(cell) ? INFINITY : NAN;
+    if (!isnan(*value))
+        return true;
     for (size_t i = 0; i < sizeof missing / sizeof *missing; i++)
         if (strcasecmp(cell, missing[i]) == 0)
             return true;

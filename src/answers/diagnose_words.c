@@ -278,7 +278,7 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
     if (table->spacing > 0 && table->time_factor == 1e-3)
         text_append(out, size, "times in ms; ");
     else if (table->spacing > 0 && table->time_factor == 1e-6)
-        text_append(out, size, "times in millionths; ");
+        text_append(out, size, "times in \xc2\xb5s; ");
     const long every = table->n_moments > 1 ? table->moments[1].step - table->moments[0].step : 1;
     text_append(out, size, "dt %.10g", table->dt);
     if (fabs(table->dt - table->scenario_dt) > table->dt_bound + 1e-12 * table->dt)

@@ -53,7 +53,8 @@ typedef struct ExpressionStep {
     const Parameter *key;
 } ExpressionStep;
 
-/* A part between "and" and "and": its text and its steps. */
+/* A part between "and" and "and", or all of a goal that has "or" outside parentheses: its text and its steps.
+ */
 typedef struct ExpressionClaim {
     int text, length;
     int first, end;

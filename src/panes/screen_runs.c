@@ -201,7 +201,7 @@ void screen_unit_text(const Screen *screen, const Field *field, char *out, size_
 const EventMark screen_marks[SCREEN_MARKS] = {
     {EVENT_CROSSING, "x", STYLE_NORMAL, "crossing"}, {EVENT_BREAK, "b", STYLE_NORMAL, "break"},
     {EVENT_TOUCH, "t", STYLE_NORMAL, "touch"},       {EVENT_PART, "p", STYLE_NORMAL, "parting"},
-    {EVENT_TEAR, "T", STYLE_WARNING, "torn"},        {EVENT_LATE, "L", STYLE_NORMAL, "late"},
+    {EVENT_TEAR, "T", STYLE_WARNING, "torn"},        {EVENT_LATE, "L", STYLE_NORMAL, "lag"},
     {EVENT_ENERGY, "E", STYLE_WARNING, "energy"},    {EVENT_CHANGE, "c", STYLE_CHANGED, "change"},
     {EVENT_REST, "R", STYLE_NORMAL, "rest"},         {EVENT_FAILURE, "!", STYLE_ERROR, "stopped"},
 };

@@ -143,16 +143,18 @@ static int cut_cells(Reader *reader)
     }
 }
 
+bool overlay_is_not_finite(const char *cell)
+{
+    const char *word = cell + (*cell == '-' || *cell == '+');
+    return (strncasecmp(word, "nan", 3) == 0 && (!word[3] || word[3] == '(')) ||
+           strcasecmp(word, "inf") == 0 || strcasecmp(word, "infinity") == 0 || strncmp(word, "1.#", 3) == 0;
+}
+
 /* False: neither a number nor a missing one. Fortran writes double precision as 4.85D-05. */
 static bool number_of(const Reader *reader, char *cell, double *value)
 {
     *value = NAN;
-    /* Nothing, or what C, Fortran and Windows print where a result is not finite: nan, -nan(ind),
-     * Infinity, 1.#INF. */
-    const char *word = cell + (*cell == '-' || *cell == '+');
-    const bool nan = strncasecmp(word, "nan", 3) == 0 && (!word[3] || word[3] == '(');
-    if (!*cell || nan || strcasecmp(word, "na") == 0 || strcasecmp(word, "inf") == 0 ||
-        strcasecmp(word, "infinity") == 0 || strncmp(word, "1.#", 3) == 0)
+    if (!*cell || strcasecmp(cell, "na") == 0 || overlay_is_not_finite(cell))
         return true;
     char *comma = reader->decimal_comma && !strchr(cell, '.') ? strchr(cell, ',') : NULL;
     char *power = strpbrk(cell, "dD");
@@ -235,10 +237,10 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     for (int i = 0; i < cells; i++) {
         OverlayColumn *column = &overlay->columns[i];
         double value;
-        /* The reader may know what a cell that begins with a letter stands for. */
+        /* The reader may know what a cell that is no number stands for. */
         const char *cell = reader->cells[i];
-        const char first = cell[*cell == '-' || *cell == '+'];
-        if (reader->word && ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) &&
+        const bool letter = (*cell >= 'a' && *cell <= 'z') || (*cell >= 'A' && *cell <= 'Z');
+        if (reader->word && (letter || overlay_is_not_finite(cell)) &&
             reader->word(column->name, cell, &value, reader->context)) {
             ;
         } else if (number_of(reader, reader->cells[i], &value)) {

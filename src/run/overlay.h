@@ -45,9 +45,13 @@ typedef struct Overlay {
 /* Told the share that is read in [0, 1]; false stops the reading. May be NULL. */
 typedef bool (*OverlayProgress)(double share, void *context);
 
-/* What a cell stands for that begins with a letter, such as the name of a stage; false: it is read as a
- * number. NULL: so is every cell. */
+/* What a cell stands for that begins with a letter, such as the name of a stage, or is not finite; false: it
+ * is read as a number. NULL: so is every cell. */
 typedef bool (*OverlayWord)(const char *column, const char *cell, double *value, void *context);
+
+/* Whether a cell is what C, Fortran and Windows print for a number that is not finite: nan, -nan(ind),
+ * Infinity, 1.#INF. */
+bool overlay_is_not_finite(const char *cell);
 
 /* Reads a table; `file` stands for FILE in an error. False: the status says why, the overlay is empty. */
 bool overlay_read(Overlay *, FILE *stream, const char *file, OverlayProgress, void *context, Status *);

@@ -175,6 +175,9 @@ make longest.csv mode5-peridynamics --steps 50 --set pd.stepping=euler_position 
 expect "a scheme of the longest name" 0 mode5-peridynamics longest.csv
 result "is named in full" says out '^Right, symplectic Euler (move first), surface energy, volume partial, influence conical\.$'
 make pushing.csv mode5 --steps 50 --set mpm.algorithm=usl --set mpm.shape=gimp --set mpm.mistake=force_sign
+awk -F, 'NR == 1 { print "t/ms,v_cm" } NR > 1 { print 1000 * $2 "," $3 }' right.csv >ms.csv
+expect "a head with its unit behind a stroke" 0 mode5 ms.csv
+result "is read" says out '^Read as: v_cm; times in ms; dt 0\.01$'
 expect "a mistake in another scheme" 1 mode5 pushing.csv
 result "is named with its scheme" says out '^Mistake: force_sign (USL, gimp)\.$'
 small="--set beam.length=0.02 --set beam.height=0.002 --set pd.spacing=0.0005 --set pd.horizon=0.0015 --set time.step=5e-8"
@@ -298,6 +301,11 @@ expect "a run that is no number in the end" 1 mode5 lost.csv
 result "is not right" sh -c 'grep -q "^They first depart at step 29, row 30, column v_cm:$" out && grep -q "^  yours is not a number from here on (nan or inf), right " out'
 expect "such a run as JSON" 1 mode5 lost.csv --json
 result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "import json, sys; row = json.load(open(\"out\"))[0]; assert row[\"verdict\"] == \"unknown\" and row[\"yours\"] is None"'
+for word in 'nan(ind)' -1.#IND 1.#INF Infinity; do # as Windows and Fortran write it
+	sed "/^29,/,\$s/nan/$word/" lost.csv >words.csv
+	expect "such a run with $word" 1 mode5 words.csv --time 0.1
+	result "departs there" says out '^They first depart at step 29, row 30, column v_cm:$'
+done
 awk -F, 'NR <= 31; NR > 31 && NR <= 41 { print $1 ",,,,,,,,," }' right.csv >blank.csv
 expect "rows of nothing at the end" 0 mode5 blank.csv
 result "are not counted" says out '^Your numbers are those of the right code, to 16 digits over 30 rows.$'
@@ -387,7 +395,7 @@ expect "twice the time step, in ms, without names" 0 mode5 ms.txt
 result "are read" sh -c 'grep -q "^Read as: a column without a name: v_cm, with the other sign; times in ms; dt 0.02 (the scenario.s is 0.01)$" out && grep -q "those of the right code" out'
 { echo '% t (us), v_cm' && awk -F, 'NR > 1 { printf "%.15g, %.15g\n", 1e6 * $2, $3 }' dt2.csv; } >us.txt
 expect "twice the time step, in microseconds, named as MATLAB comments" 0 mode5 us.txt
-result "are read" says out '^Read as: v_cm; times in millionths; dt 0.02 (the scenario.s is 0.01)$'
+result "are read" says out '^Read as: v_cm; times in µs; dt 0.02 (the scenario.s is 0.01)$'
 "$MATVIB" run mode5 --steps 5 --frames 6 --particles long.csv --quiet
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } { row[$2] = row[$2] " " $at["u"] } END { for (k = 0; k <= 5; k++) print k / 100 row[k / 100] }' long.csv >wide.txt
 expect "a wide table" 0 mode5 wide.txt

@@ -143,7 +143,7 @@ typedef struct Mpm {
     ForceWords force_words; /* the whole equation of the force stage */
     Exchange exchanges[MPM_TERMS];
     MpmExchange terms[MPM_TERMS]; /* the same */
-    Field fields[MPM_FIELDS];     /* those that there are at present, and which each of them is */
+    Field fields[MPM_FIELDS];     /* those that there are at present */
     Quantity series[MPM_SERIES];  /* those that are not left out, and which each of them is */
     int series_entry[MPM_SERIES];
 

@@ -198,11 +198,13 @@ void mpm_list_fields(Mpm *mpm)
                                      : sizeof line / sizeof *line;
     const bool lumped = mpm_is_lumped(mpm);
     int count = 0;
+    _Static_assert(sizeof bodies / sizeof *bodies <= MPM_FIELDS &&
+                       sizeof plane / sizeof *plane <= MPM_FIELDS && sizeof line / sizeof *line <= MPM_FIELDS,
+                   "there is room for the fields");
     for (const Field *row = rows; row < rows + n; row++) {
         if ((row->kind == N_MASS_BESIDE && (lumped || row->axis > mpm->support - 1)) ||
             (row->kind == P_STRETCH && mpm->shape != MPM_CPDI))
             continue;
-        ASSERT_INDEX(count, MPM_FIELDS);
         Field *field = &mpm->fields[count++];
         *field = *row;
         if (row->kind == N_F_EXT)
@@ -342,6 +344,8 @@ static double node_field(const Mpm *mpm, const Field *row, int i)
     case N_MOMENTUM:
         return mpm->momentum[axis][i];
     case N_VELOCITY:
+        if (mpm->bodies)
+            return mpm_has_done(mpm, OP_FIX) ? mpm->momentum[axis][i] * mpm->inverse[i] : 0.0;
         return mpm_has_done(mpm, line_now ? OP_MAP : OP_FIX) ? mpm_node_velocity(mpm, axis, i) : 0.0;
     case N_VELOCITY_NEW: /* (p_i + dt f_i)/m_i */
         return mpm_node_velocity(mpm, 0, i) + (forced && !mpm_has_done(mpm, OP_INTEGRATE)

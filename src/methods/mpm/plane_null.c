@@ -16,6 +16,7 @@
  * matrix at hand than a particle touches, and they stay in the cache. */
 
 #include "methods/mpm/engine.h"
+
 #include <string.h>
 
 /* Columns and rows of the grid that particles touch. */

@@ -419,8 +419,8 @@ bool figure_suits(const Figure *figure, const char *name, Status *status)
     const Format format = format_of(name);
     for (int i = 0; i < figure->count && (format == FORMAT_TEX || format == FORMAT_GP); i++)
         if (figure->panels[i]->picture.kind > PICTURE_PATH)
-            return status_refuse(status, "%s: has no curves for LaTeX or gnuplot (FILE.svg, .pdf or .png)",
-                                 figure->panels[i]->picture.heading);
+            return status_refuse(
+                status, "%s: the view has no curves, which .tex and .gp need (.svg, .pdf or .png)", name);
     return figure_allowed(name, status);
 }
 

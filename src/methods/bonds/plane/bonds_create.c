@@ -143,20 +143,8 @@ static bool set_time_step(Beam *beam, Status *status)
         beam->sim.dt = beam->def.dt;
         return bonds_line_critical_step(&beam->def, &beam->facts.critical_step, status);
     }
-    /* the lattice of the last one, whose step codes with mistakes share: a wrong code is run with the step of
-     * the right one */
-    static _Thread_local BeamDef last;
-    static _Thread_local double critical_of_last;
-    BeamDef right = beam->def;
-    right.mistake = right.mistake_beside = 0;
-    right.dt = right.end = 0;
-    right.conceals_mistake = false;
-    right.cancel = (Cancel){0};
-    const bool plain = !beam->free_body && !right.forces && !right.initial_velocity;
-    if (plain && memcmp(&last, &right, sizeof last) == 0)
-        critical = critical_of_last;
-    else if (beam->def.mistake != 0) {
-        right = beam->def;
+    if (beam->def.mistake != 0) { /* a wrong code is run with the step of the right one */
+        BeamDef right = beam->def;
         right.mistake = right.mistake_beside = 0;
         Simulation *sim = beam_create(&right, status);
         if (!sim)
@@ -165,10 +153,6 @@ static bool set_time_step(Beam *beam, Status *status)
         destroy(sim);
     } else if (!beam_critical_step(beam, &critical, status))
         return false;
-    else if (plain) {
-        last = right;
-        critical_of_last = critical;
-    }
     beam->facts.critical_step = critical;
     beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;
     if (!(beam->sim.dt <= critical))
