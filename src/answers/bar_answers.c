@@ -18,8 +18,8 @@
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
-#include <string.h>
 #include <stdlib.h>
+#include <string.h>
 
 _Static_assert(OVERTONES_MAX + 1 <= BAR_MODES_MAX, "the theory has room for every overtone");
 
@@ -432,7 +432,6 @@ bool bar_mode(const Settings *settings, int number, BarWave *wave_of, ModeOnMesh
 }
 
 /* The sharp invariant of the bar by the material point method: answers/invariant.h says what it is. */
-
 bool bar_invariant_kept(const Settings *settings)
 {
     return settings_transfer(settings)->transfer == MPM_FLIP &&

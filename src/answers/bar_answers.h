@@ -6,13 +6,13 @@
 
 #include "answers/dispersion_curves.h"
 #include "answers/step_modes.h"
-#include "problems/solver.h"
-#include "theory/bar_motion.h"
-#include "theory/frequency.h"
-#include "methods/mpm/mpm_bar.h"
-#include "scenario/assignment.h"
 #include "methods/bonds/plane/bonds_plane.h"
+#include "methods/mpm/mpm_bar.h"
+#include "problems/solver.h"
+#include "scenario/assignment.h"
+#include "theory/bar_motion.h"
 #include "theory/elastic_bar.h"
+#include "theory/frequency.h"
 
 /* On which column the bar's frequency is measured, and what it should be. */
 typedef struct BarWatch {

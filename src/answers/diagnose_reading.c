@@ -749,15 +749,12 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         const bool of_bar = !diagnose_is_of_plane(search->task->settings);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
-        for (int i = 0; i < 5 * ways && sound && !found; i++) { /* right codes first */
+        for (int i = 0; i < 4 * ways && sound && !found; i++) { /* right codes first */
             const int round = i / ways;
             trials->nodes = i % ways;
             if (round == 0)
                 sound = try_all_times(trials, &found);
-            else if (round == 4 && of_bar && trials->count == 0)
-                sound = try_codes(trials, true, 2, 3, &found);
-            else if (round < 4 && trials->doubt == 0 &&
-                     (of_bar || (round < (deep ? 3 : 2) && is_of_point(trials))))
+            else if (trials->doubt == 0 && (of_bar || (round < (deep ? 3 : 2) && is_of_point(trials))))
                 sound = try_codes(trials, round == 2, round == 3 ? 3 : 0,
                                   !of_bar      ? 1
                                   : round == 3 ? 4

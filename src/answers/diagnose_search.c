@@ -490,7 +490,7 @@ static bool judge(Search *search, bool wrong)
     return true;
 }
 
-/* A reading that was left, with its steps. */
+/* The table as it was read before, with the steps of its rows, which are kept outside it. */
 static void put_back(DiagnoseTable *table, const DiagnoseTable *left)
 {
     const DiagnoseReading reading = {

@@ -116,9 +116,7 @@ static bool oscillates_to_the_end(const References *refs, const Readout *readout
     return crossings >= expected / 2 - 1 && crossings <= 2 * expected + 1;
 }
 
-/* What has come to rest long before the end oscillates no more than a little in the last quarter of its
- * record.
- */
+/* What has come to rest long before the end hardly oscillates in the last quarter of its record. */
 static const char *why_unmeasured(const References *refs, const Readout *readout, const double *rows,
                                   size_t n_rows, int n_columns)
 {

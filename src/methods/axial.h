@@ -7,11 +7,9 @@
 
 #include "methods/method.h"
 
-/* The first fields of set 0, the particles: the columns of its table, in this order. */
-enum { AXIAL_X0, AXIAL_X, AXIAL_U, AXIAL_V, AXIAL_STRESS, AXIAL_STRAIN, AXIAL_DENSITY, AXIAL_MASS };
-
-/* Their rows. Stress and strain are something else in each method: these are the words for them. ROW says
- * what a row of the method's table is. */
+/* The first fields of set 0, the particles: the columns of its table, in this order. Stress and strain are
+ * something else in each method: these are the words for them. ROW says what a row of the method's table is.
+ */
 #define AXIAL_FIELD_ROWS(ROW, of_stress, of_strain)                                                          \
     ROW(X0, "x0", "x0", "length", "position at the start"), ROW(X, "x", "x", "length", "position"),          \
         ROW(U, "u", "displacement", "length", "displacement x - x0"),                                        \

@@ -306,18 +306,22 @@ bool simulation_fail(Simulation *sim, Status *status, const char *format, ...)
     return status_take(status, &sim->failure);
 }
 
-void simulation_lay(Simulation *sim, size_t columns, size_t rows, double spacing, int dimensions,
-                    const MotionFields *fields)
+void simulation_lay(Simulation *sim, size_t columns, size_t rows, double spacing, int dimensions)
 {
+    static const char *const line[][3] = {{"x0", "u", "v"}}, *const plane[][3] = {{"x0", "ux", "vx"},
+                                                                                  {"y0", "uy", "vy"}};
+    const char *const(*const names)[3] = dimensions == 1 ? line : plane;
     ASSERT_INT(dimensions, <=, SIMULATION_DIMENSIONS_MAX);
     sim->columns = columns;
     sim->rows = rows;
     sim->spacing = spacing;
     sim->dimensions = dimensions;
     for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++) {
-        sim->position[d] = d < dimensions ? fields[d].position : -1;
-        sim->displacement[d] = d < dimensions ? fields[d].displacement : -1;
-        sim->velocity[d] = d < dimensions ? fields[d].velocity : -1;
+        sim->position[d] = d < dimensions ? simulation_find_field(sim, 0, names[d][0]) : -1;
+        sim->displacement[d] = d < dimensions ? simulation_find_field(sim, 0, names[d][1]) : -1;
+        sim->velocity[d] = d < dimensions ? simulation_find_field(sim, 0, names[d][2]) : -1;
+        ASSERT(d >= dimensions ||
+               (sim->position[d] >= 0 && sim->displacement[d] >= 0 && sim->velocity[d] >= 0));
     }
 }
 

@@ -388,14 +388,9 @@ void simulation_report(Simulation *, EventKind, const char *text);
 /* Marks the simulation as failed; returns false, as status_fail() does. */
 bool simulation_fail(Simulation *, Status *, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* For methods: set 0 lies in these columns and rows, so far apart; its fields of the motion in each
- * direction.
- */
-typedef struct MotionFields {
-    int position, displacement, velocity;
-} MotionFields;
-void simulation_lay(Simulation *, size_t columns, size_t rows, double spacing, int dimensions,
-                    const MotionFields *);
+/* For methods, whose fields are listed: set 0 lies in these columns and rows, so far apart. Its motion is in
+ * the fields x0, u, v of a line, in x0, ux, vx and y0, uy, vy of the plane. */
+void simulation_lay(Simulation *, size_t columns, size_t rows, double spacing, int dimensions);
 
 /* One value of a field, by its index or its name; NAN: there is no such field (-1). */
 double simulation_value(const Simulation *, int field, size_t index);

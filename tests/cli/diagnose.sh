@@ -250,6 +250,17 @@ result "say what was not tried" says out '^Two mistakes at once were not tried (
 # shellcheck disable=SC2086
 expect "two mistakes of a beam at once" 1 supported-beam-coarse $thin bent.csv --pairs
 result "are tried then" sh -c 'grep -q "^None of" out && ! grep -q "not tried" out'
+# a beam is built for each code: beside one or two wrong numbers few are tried
+# shellcheck disable=SC2086
+make whole.csv supported-beam-coarse $thin --steps 40
+for wrong in 1 2; do
+	awk -F, -v wrong=$wrong 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "time,u_probe"; next }
+		{ t[NR] = $at["time"]; u[NR] = $at["u_probe"] }
+		END { for (k = 2; k <= NR; k++) printf "%s,%.17g\n", t[k], k > NR - wrong ? 1.0123 * u[k] : u[k] }' whole.csv >last.csv
+	# shellcheck disable=SC2086
+	expect "the last numbers of a beam ($wrong)" 1 supported-beam-coarse $thin last.csv
+	result "are soon judged" sh -c 'n=$(sed -n "s/^None of \([0-9]*\) other codes.*/\1/p" out) && [ "$n" -gt 0 ] && [ "$n" -lt 1500 ]'
+done
 # a value beside the right one that no run can have is not tried
 half="--set beam.length=50mm --set beam.height=5mm"
 # shellcheck disable=SC2086

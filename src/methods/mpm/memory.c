@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The engine's memory and state: one block of arrays, of which a snapshot between steps is the first part,
- * the particles, in the middle of a step all of it. Then what is asked of the state in mid-step, whatever the
- * order of the stages: for what front ends read; the stages themselves need little of it. */
+/* How a simulation is made, and its memory and state: one block of arrays, of which a snapshot between steps
+ * is the first part, the particles, in the middle of a step all of it. Then what is asked of the state in
+ * mid-step, whatever the order of the stages: for what front ends read; the stages themselves need little of
+ * it. */
 #include "base/assertion.h"
 #include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
@@ -127,24 +128,6 @@ void mpm_take_schedule(Mpm *mpm)
     mpm_list_exchanges(mpm);
 }
 
-/* Where things are at rest, and by which fields front ends find their motion. */
-static void lay(Mpm *mpm)
-{
-    static const char *const names[][MPM_AXES][3] = {{{"x0", "u", "v"}},
-                                                     {{"x0", "ux", "vx"}, {"y0", "uy", "vy"}}};
-    Simulation *sim = &mpm->sim;
-    MotionFields motion[MPM_AXES];
-    for (int axis = 0; axis < mpm->dim; axis++) {
-        const char *const *of = names[mpm->dim - 1][axis];
-        motion[axis] = (MotionFields){simulation_find_field(sim, MPM_PARTICLES, of[0]),
-                                      simulation_find_field(sim, MPM_PARTICLES, of[1]),
-                                      simulation_find_field(sim, MPM_PARTICLES, of[2])};
-    }
-    const bool beam = mpm->dim == 2 && !mpm->bodies;
-    simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,
-                   mpm->spacing, mpm->dim, motion);
-}
-
 Simulation *mpm_create(Mpm *mpm, const MpmMaker *maker, const int mistakes[2], int threads, Status *status)
 {
     enum { PARTICLES_TO_SHARE = 2048 }; /* a step of fewer is over before another thread has heard of it */
@@ -168,7 +151,9 @@ Simulation *mpm_create(Mpm *mpm, const MpmMaker *maker, const int mistakes[2], i
     maker->set_series(mpm);
     mpm_take_schedule(mpm);
     sim->has = maker->has;
-    lay(mpm);
+    const bool beam = mpm->dim == 2 && !mpm->bodies;
+    simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,
+                   mpm->spacing, mpm->dim);
     return sim;
 }
 

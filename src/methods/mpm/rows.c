@@ -15,11 +15,10 @@
  * last takes longer than the step. A row is taken between steps, when velocities and stresses of USF are half
  * a step apart: kinetic + strain ripples by about omega dt/2 of itself though nothing is lost (E* of
  * problems/ is the sum without ripple), of a beam worst where thickness modes ring. stress^2/2E is the energy
- * of small strains; where particles cross cells, strains are large enough to tell it from E (e exp(e) -
- * exp(e)
- * + 1), e = stress/E, which is what the updates of stress and density really store. kinetic less kinetic_grid
- * is not all hidden: lumped masses see even a smooth mode with too little energy (1.7e-3 of it at 4 cells in
- * the height of a beam, 4e-4 at 8). */
+ * of small strains; where particles cross cells, strains are large enough to tell it from
+ * E (1 + (e - 1) exp(e)), e = stress/E, which is what the updates of stress and density really store. kinetic
+ * less kinetic_grid is not all hidden: lumped masses see even a smooth mode with too little energy (1.7e-3 of
+ * it at 4 cells in the height of a beam, 4e-4 at 8). */
 #include "base/assertion.h"
 #include "methods/axial.h"
 #include "methods/mpm/bodies_inner.h"
@@ -196,29 +195,32 @@ static const Quantity line[LINE_ENTRIES] = {
     {AXIAL_REACTION " in the last step"},
 };
 
-static const Quantity beam[ENTRIES] = {
-    [U_PROBE] = {"u_probe", "u", "m", "transverse displacement at the probe"},
-    [V_PROBE] = {"v_probe", "v", "m/s", "transverse velocity at the probe"},
-    [LENGTH] = {"length", "length", "m", "length outside the channel, L0 + v0 t"},
-    [KINETIC] = {"kinetic", "kinetic", "J", "kinetic energy of the particles, without the common speed"},
-    [KINETIC_GRID] = {"kinetic_grid", "seen by grid", "J",
-                      "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"},
-    [KINETIC_NULL] = {"kinetic_null", "null space", "J",
-                      "the part of it that no velocities of the grid can give: the rest is seen, or lost to "
-                      "lumped masses"},
-    [STRAIN] = {"strain", "strain", "J", "strain energy of the particles"},
-    [WORK] = {"work", "work", "J", "work of the channel, which draws the beam out"},
-    [TOTAL] = {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"},
-    [MOMENTUM_X] = {"momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"},
-    [MOMENTUM_Y] = {"momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"},
-    [REACTION_X] = {"reaction_x", "reaction x", "N",
-                    "force of what holds the beam, along x, in the last step"},
-    [REACTION_Y] = {"reaction_y", "reaction y", "N",
-                    "force of what holds the beam, along y, in the last step"},
+/* In the order of the columns. */
+static const struct {
+    Entry entry;
+    Quantity quantity;
+} beam[] = {
+    {U_PROBE, {"u_probe", "u", "m", "transverse displacement at the probe"}},
+    {V_PROBE, {"v_probe", "v", "m/s", "transverse velocity at the probe"}},
+    {LENGTH, {"length", "length", "m", "length outside the channel, L0 + v0 t"}},
+    {KINETIC, {"kinetic", "kinetic", "J", "kinetic energy of the particles, without the common speed"}},
+    {KINETIC_GRID,
+     {"kinetic_grid", "seen by grid", "J",
+      "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"}},
+    {KINETIC_NULL,
+     {"kinetic_null", "null space", "J",
+      "the part of it that no velocities of the grid can give: the rest is seen, or lost to "
+      "lumped masses"}},
+    {STRAIN, {"strain", "strain", "J", "strain energy of the particles"}},
+    {WORK, {"work", "work", "J", "work of the channel, which draws the beam out"}},
+    {TOTAL, {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"}},
+    {MOMENTUM_X, {"momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"}},
+    {MOMENTUM_Y, {"momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"}},
+    {REACTION_X,
+     {"reaction_x", "reaction x", "N", "force of what holds the beam, along x, in the last step"}},
+    {REACTION_Y,
+     {"reaction_y", "reaction y", "N", "force of what holds the beam, along y, in the last step"}},
 };
-static const Entry beam_columns[] = {U_PROBE,      V_PROBE,    LENGTH,    KINETIC, KINETIC_GRID,
-                                     KINETIC_NULL, STRAIN,     WORK,      TOTAL,   MOMENTUM_X,
-                                     MOMENTUM_Y,   REACTION_X, REACTION_Y};
 
 /* A column of the series, unless the run has no such thing. */
 static void add_column(Mpm *mpm, Entry entry, const Quantity *quantity)
@@ -235,8 +237,8 @@ void mpm_set_series(Mpm *mpm)
 {
     for (int k = 0; mpm->dim == 1 && k < LINE_ENTRIES; k++)
         add_column(mpm, (Entry)k, &line[k]);
-    for (size_t k = 0; mpm->dim == 2 && k < sizeof beam_columns / sizeof *beam_columns; k++)
-        add_column(mpm, beam_columns[k], &beam[beam_columns[k]]);
+    for (size_t k = 0; mpm->dim == 2 && k < sizeof beam / sizeof *beam; k++)
+        add_column(mpm, beam[k].entry, &beam[k].quantity);
     mpm->sim.series = mpm->sim.series_asked = mpm->series;
     mpm->sim.series_entry = mpm->series_entry;
 }

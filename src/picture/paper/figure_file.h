@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figures for paper: what views show, taken down as picturees (picture/picture.h) and drawn with lines and
+/* Figures for paper: what views show, taken down as pictures (picture/picture.h) and drawn with lines and
  * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG;
  * or, of curves, written as the source of a picture of pgfplots (LaTeX) or of gnuplot.
  *

@@ -158,6 +158,7 @@ static const Field line_fields[] = {
     BOND(F_CORRECTION, "G", "G", "1", "surface correction G of the bond", false, false),
     BOND(F_WEIGHT, "w", "w", "1", "share w of the other end's volume that counts", false, false),
 };
+
 /* --- what fills them ------------------------------------------------------------------------------ */
 
 /* Bonds of a node at rest, broken ones included. */
@@ -375,8 +376,7 @@ void beam_set_fields(Beam *beam)
         sim->fields = line_fields;
         sim->n_fields = sizeof line_fields / sizeof *line_fields;
         sim->has = HAS_LINE | HAS_BONDS | HAS_STRETCH;
-        simulation_lay(sim, sim->counts[SET_PARTICLE], 1, beam->lattice.spacing, 1,
-                       &(MotionFields){AXIAL_X0, AXIAL_U, AXIAL_V});
+        simulation_lay(sim, sim->counts[SET_PARTICLE], 1, beam->lattice.spacing, 1);
         return;
     }
     sim->fields = fields;
@@ -385,6 +385,5 @@ void beam_set_fields(Beam *beam)
     sim->has = HAS_PLANE | HAS_BONDS | HAS_STRETCH | (beam->def.problem == BEAM_PLATE ? HAS_ROWS : 0u);
     if (beam->def.critical_stretch > 0)
         beam_set_breaking(beam);
-    simulation_lay(sim, (size_t)beam->lattice.nx, (size_t)beam->lattice.ny, beam->lattice.spacing, 2,
-                   (MotionFields[]){{F_X0, F_UX, F_VX}, {F_Y0, F_UY, F_VY}});
+    simulation_lay(sim, (size_t)beam->lattice.nx, (size_t)beam->lattice.ny, beam->lattice.spacing, 2);
 }

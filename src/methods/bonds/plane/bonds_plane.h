@@ -165,10 +165,10 @@ bool beam_row_stiffness(const Simulation *beam, double *matrix);
 
 /* The lowest vibration of this very lattice, with its supports and its surface correction: the predicted
  * period of a simply supported beam, and of any beam or plate what critical damping and rest go by. It is
- * what the discretisation gives for small motion, before any
- * step is taken: what a run measures differs by the step (dt^2) and by how well the record can be fitted. */
-
-/* The largest factor that is made for it, in numbers of 8 bytes: a quarter of a gigabyte. */
+ * what the discretisation gives for small motion, before any step is taken: what a run measures differs by
+ * the step (dt^2) and by how well the record can be fitted.
+ *
+ * The largest factor that is made for it, in numbers of 8 bytes: a quarter of a gigabyte. */
 enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
 
 /* The period in s of a simply supported beam; NAN where the lattice is so fine that the factor of its
