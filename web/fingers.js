@@ -50,9 +50,11 @@ function typing() {
 }
 
 let offered = '', asked_for = '';
+let drawn_rows = 0; // for how many the program drew what is there
 
+// A screen of another height tells nothing of the program: by its cursor the row of keys, and so the height, would go to and fro.
 function show_keys() {
-	if (element('keys').hidden) return;
+	if (element('keys').hidden || drawn_rows !== term.rows) return;
 	const field = typing(), lesson = opened.kind === 'lesson', now = field ? [] : offers(), sign = JSON.stringify([field, lesson, now]);
 	if (sign === offered) return;
 	offered = sign;

@@ -16,6 +16,7 @@ class Host {
 		this.changed = changed || (() => {});
 		this.rows = 24;
 		this.columns = 80;
+		this.draws_for = 0;   // for how many rows the program draws: those that it was last told of
 		this.input = [];
 		this.ended = false;   // no more input will come
 		this.resized = false;
@@ -44,7 +45,10 @@ class Host {
 	}
 
 	told(bits) {
-		if (bits & RESIZED) this.resized = false;
+		if (bits & RESIZED) {
+			this.resized = false;
+			this.draws_for = this.rows;
+		}
 		if (bits & GONE) this.gone = false;
 		if (bits & STOPPED) this.stopped = false;
 		this.refused = false;

@@ -31,7 +31,11 @@ function begin(words, {files = [], input = ''} = {}) {
 		const here = worker;
 		answers = answers || Boolean(data.out);
 		if (data.out && plain.on) plain.take(data.out);
-		else if (data.out) term.write(data.out, () => here.postMessage({drawn: data.out.length}));
+		else if (data.out)
+			term.write(data.out, () => {
+				drawn_rows = data.rows;
+				here.postMessage({drawn: data.out.length});
+			});
 		else if (data.file) take_file(data);
 		else if ('ended' in data) end(data.ended, data.text);
 	};

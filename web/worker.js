@@ -63,11 +63,11 @@ function ended(status, why) {
 }
 
 function start(message) {
-	host = new Host((bytes) => postMessage({out: bytes}, [bytes.buffer]),
+	host = new Host((bytes) => postMessage({out: bytes, rows: host.draws_for}, [bytes.buffer]),
 		changed,
 		(error) => ended(134, String(error)));
 	host.columns = message.columns;
-	host.rows = message.rows;
+	host.rows = host.draws_for = message.rows;
 	host.waits = !message.plain;
 	if (message.input) host.input.push(...message.input);
 	const decoder = new TextDecoder();
