@@ -72,7 +72,10 @@ let followed = null, following = 0; // null: what is told is the program's befor
 function follow({large, answered, name, sets}) {
 	if (followed === null) return;
 	enlarge(large);
-	if (opened.recording && opened.answered !== answered) store.write('answered', opened.recording, encoder.encode(String(opened.answered = answered)));
+	if (opened.answered !== answered) {
+		opened.answered = answered;
+		keep_answered();
+	}
 	const now = JSON.stringify([name, sets]), first = followed === '';
 	if (opened.kind === 'lesson' || now === followed) return;
 	followed = now;

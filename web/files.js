@@ -92,7 +92,10 @@ function take_file({file, kept, bytes}) {
 		store.write('work', file, bytes);
 		store.write('when', file, encoder.encode(String(Date.now())));
 		// the program has chosen its name
-		if (opened.whose && !opened.recording) opened.recording = file;
+		if (opened.whose && !opened.recording) {
+			opened.recording = file;
+			keep_answered(); // which may have been told before
+		}
 	}
 	const before = written.get(opened.instead_of);
 	if (file === opened.recording && before && bytes.length >= before.length) {

@@ -98,6 +98,10 @@ const tab = {
 	},
 };
 
+function keep_answered() {
+	if (opened.recording) store.write('answered', opened.recording, encoder.encode(String(opened.answered)));
+}
+
 // A page that is hidden may never be seen again: what has been written is asked for before.
 for (const [target, name] of [[window, 'pagehide'], [document, 'freeze'], [document, 'visibilitychange']])
 	target.addEventListener(name, () => {
