@@ -256,7 +256,7 @@ make whole.csv supported-beam-coarse $thin --steps 40
 for wrong in 1 2; do
 	awk -F, -v wrong=$wrong 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "time,u_probe"; next }
 		{ t[NR] = $at["time"]; u[NR] = $at["u_probe"] }
-		END { for (k = 2; k <= NR; k++) printf "%s,%.17g\n", t[k], k > NR - wrong ? 1.0123 * u[k] : u[k] }' whole.csv >last.csv
+		END { for (k = 2; k <= NR; k++) printf "%s,%.17g\n", t[k], (k > NR - wrong ? 1.0123 * u[k] : u[k]) }' whole.csv >last.csv
 	# shellcheck disable=SC2086
 	expect "the last numbers of a beam ($wrong)" 1 supported-beam-coarse $thin last.csv
 	result "are soon judged" sh -c 'n=$(sed -n "s/^None of \([0-9]*\) other codes.*/\1/p" out) && [ "$n" -gt 0 ] && [ "$n" -lt 1500 ]'
