@@ -17,6 +17,11 @@
 
 #define PROGRESS_SECONDS 0.1 /* between pictures during work that is not cut into frames */
 
+/* Pictures of a run that goes on take at most one part of the time in so many, but there are five a second.
+ */
+#define PICTURE_SHARE 8
+#define REST_SECONDS  0.2
+
 typedef struct Loop {
     Laboratory lab;
     Terminal *terminal;
@@ -31,6 +36,7 @@ typedef struct Loop {
     double replayed_at; /* when its last key was done again */
     bool told;          /* something stands on the shell's last line that tell how far the opening has come */
     bool stale;         /* the picture shown is out of date */
+    bool moved;         /* because the run went on, and for nothing else */
     bool more_keys;     /* are answered before it sleeps */
     Settings told_settings; /* of which `address` tells */
     char *address;          /* of a page: the scenario, and what was changed of it */
@@ -103,7 +109,7 @@ static void draw(Loop *loop)
         describe_address(loop);
         terminal_show(loop->terminal, &loop->canvas);
     }
-    loop->stale = false;
+    loop->stale = loop->moved = false;
     loop->unannounced = true;
     loop->frames++;
     loop->drawn_at = now(NULL);
@@ -243,6 +249,13 @@ static bool answer_keys(Loop *loop)
     return false;
 }
 
+/* A run that went on is drawn only when there was time enough for its steps since the last picture. */
+static bool has_rested(const Loop *loop)
+{
+    double rest = PICTURE_SHARE * loop->draw_time;
+    return now(NULL) - loop->drawn_at >= (rest < REST_SECONDS ? rest : REST_SECONDS);
+}
+
 static void one_round(Loop *loop)
 {
     Laboratory *lab = &loop->lab;
@@ -263,12 +276,13 @@ static void one_round(Loop *loop)
     if ((laboratory_active(lab) && (begin >= loop->due || lab->player.playback.state == STATE_COMPUTING)) ||
         laboratory_message_left(lab) == 0) {
         if (laboratory_frame(lab, begin + FRAME_SECONDS - loop->draw_time))
-            loop->stale = true;
+            loop->moved = true;
         loop->due = loop->due + FRAME_SECONDS > begin ? loop->due + FRAME_SECONDS : begin + FRAME_SECONDS;
         /* where the engine is the limit it does not wait for a frame that has room for another step */
         if (lab->player.frames_in_time == 0)
             loop->due = now(NULL);
     }
+    loop->stale |= loop->moved && (!laboratory_active(lab) || has_rested(loop));
     if (loop->stale && !terminal_is_behind(loop->terminal))
         draw(loop);
     if (loop->unannounced && !terminal_is_behind(loop->terminal)) {
