@@ -13,7 +13,7 @@ make() { # FILE ARGUMENTS...
 }
 digits() { # N COLUMNS <FILE: these columns with so many digits
 	awk -F, -v n="$1" -v wanted="$2" 'NR == 1 { k = split(wanted, w, ","); for (i = 1; i <= NF; i++) at[$i] = i; print wanted; next }
-		{ for (i = 1; i <= k; i++) printf "%s%s", w[i] == "step" ? $at[w[i]] : sprintf("%." n "g", $at[w[i]]), i < k ? "," : "\n" }'
+		{ for (i = 1; i <= k; i++) printf "%s%s", (w[i] == "step" ? $at[w[i]] : sprintf("%." n "g", $at[w[i]])), (i < k ? "," : "\n") }'
 }
 
 # Codes that share no line with ours: those of tests/independent, where there is a python3 with numpy.
@@ -370,7 +370,7 @@ expect "a column that is there twice" 0 mode5 double.csv
 result "is told" says out '^(it has several columns v_cm: the first counts)$'
 single() { # FORMAT: v_cm of the right run, nearly, in single precision
 	awk -F, -v format="%d,$1\n" 'function single(x, unit) { for (unit = 1; unit > x; unit /= 2); return int(x / unit * 8388608 + 0.5) / 8388608 * unit }
-		NR == 1 { print "step,v_cm"; next } { v = $3 < 0 ? -$3 : $3; v = single(v * (1 + 4e-8)); printf format, $1, $3 < 0 ? -v : v }' right.csv
+		NR == 1 { print "step,v_cm"; next } { v = $3 < 0 ? -$3 : $3; v = single(v * (1 + 4e-8)); printf format, $1, ($3 < 0 ? -v : v) }' right.csv
 }
 single %.12g >single.csv
 expect "single precision" 0 mode5 single.csv

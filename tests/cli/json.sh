@@ -53,7 +53,7 @@ is() {
 	right=$1 digits=$2
 	shift 2
 	"$MATVIB" run "$@" --json >out
-	result "$*: w $right" test "$(value out frequency_measured | awk -v d="$digits" '{ printf "%.*g", d, $1 }')" = "$right"
+	result "$*: w $right" test "$(value out frequency_measured | awk -v d="$digits" '{ printf "%." d "g", $1 }')" = "$right"
 	result "it is most of the series" holds 'r2 > .85 && r2 <= 1 && u > 0 && u < 5e-4 * w'
 }
 holds() {
