@@ -180,6 +180,71 @@ BarWatch bar_watch(const BarTheory *theory)
     return watch;
 }
 
+/* --- what the step predicts ----------------------------------------------------------------------- */
+
+/* Between shortage_begin() and shortage_end(): once cancelled, the modes that follow are not asked about. */
+static StepModes *modes_from(BarStart *start_of, const Settings *settings, const BarTheory *theory,
+                             bool whole)
+{
+    Simulation *sim = errno == ECANCELED ? NULL : start_of(settings, theory);
+    StepModes *modes = sim ? step_modes_create(sim, whole, settings->cancel) : NULL;
+    simulation_destroy(sim);
+    return modes;
+}
+
+StepMode bar_step_mode(const BarStep *step, const Settings *settings, const BarTheory *theory, int number)
+{
+    StepMode mode = {.known = number == 0, .overlap = 1};
+    BarTheory pure = *theory;
+    pure.modes[0].number = number;
+    pure.modes[0].velocity = pure.n_modes = 1;
+    pure.of_sines = false;
+    pure.pulse.velocity = 0;
+    /* a wave shorter than two cells looks to the nodes like a longer one */
+    if (number == 0 || bar_largest_wave_number(theory, number) * step->spacing > M_PI * (1 + 1e-12))
+        return mode;
+    StepModes *modes =
+        theory->length > step->most * step->spacing ? NULL : modes_from(step->start, settings, &pure, false);
+    if (modes)
+        mode = step_modes_largest(modes);
+    if (mode.known && theory->of_sines) {
+        pure.of_sines = true;
+        Simulation *start = step->start(settings, &pure);
+        mode.overlap = start ? step_modes_overlap(modes, start) : NAN;
+        simulation_destroy(start);
+    }
+    step_modes_free(modes);
+    if (!mode.known && !bar_is_layered(theory)) {
+        const Dispersion wave = step->wave(settings, theory, bar_wave_number(theory, number));
+        mode = (StepMode){wave.known, wave.frequency, wave.decay, 1};
+    }
+    return mode;
+}
+
+bool bar_find_motion(BarAnswers *bar, const Settings *settings, BarStart *start_of)
+{
+    bool whole = true;
+    /* mode by mode: the space of each closes soon, where that of all would drown in rounding */
+    for (int k = 0; k < bar->theory.n_modes && whole; k++) {
+        BarTheory one = bar->theory;
+        one.modes[0] = one.modes[k];
+        one.n_modes = 1;
+        bar->modes[k] = modes_from(start_of, settings, &one, true);
+        whole = bar->modes[k] && step_modes_are_whole(bar->modes[k]);
+    }
+    return whole;
+}
+
+static double predicted_v_cm(References *refs, long step, double time, const double *row)
+{
+    (void)time, (void)row;
+    const BarAnswers *bar = bar_answers(refs);
+    double sum = 0;
+    for (int k = 0; k < bar->theory.n_modes; k++)
+        sum += step_modes_v_cm(bar->modes[k], step);
+    return sum;
+}
+
 /* With what is predicted beside it. */
 static BarWatch predicted_watch(const Settings *settings, const BarTheory *theory, BarFrequency *frequency)
 {
@@ -278,7 +343,6 @@ const BarAnswers *bar_answers(const References *refs)
 static void release(void *own)
 {
     BarAnswers *bar = own;
-    bar_motion_free(bar->motion);
     for (int k = 0; k < BAR_MODES_MAX; k++)
         step_modes_free(bar->modes[k]);
 }
@@ -297,7 +361,7 @@ BarAnswers *bar_answers_create(References *refs, const Settings *settings, Statu
 ANSWER(exact_v_cm, bar_waves_centre_velocity(&bar_answers(refs)->theory, time))
 
 void bar_prepare(References *refs, const Settings *settings, const Simulation *sim, BarFrequency *frequency,
-                 Answer *predicted, const char *meaning)
+                 bool whole, const char *meaning)
 {
     BarAnswers *bar = refs->own;
     bar->watch =
@@ -311,8 +375,8 @@ void bar_prepare(References *refs, const Settings *settings, const Simulation *s
     const Quantity of_mesh = {"v_cm_predicted", label, "length/time", meaning};
     plan_method(refs, sim, "v_cm");
     plan_answer(refs, &exact, COLUMN_EXACT, "v_cm", exact_v_cm);
-    if (predicted)
-        plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted);
+    if (whole)
+        plan_answer(refs, &of_mesh, COLUMN_PREDICTED, "v_cm", predicted_v_cm);
 }
 
 double bar_profile(const References *refs, const char *field, double x, double time)

@@ -10,7 +10,6 @@
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
 #include "scenario/assignment.h"
-#include "theory/bar_motion.h"
 #include "theory/elastic_bar.h"
 #include "theory/frequency.h"
 
@@ -34,7 +33,6 @@ typedef struct BarAnswers {
     BarTheory theory;
     BarMesh mesh;                    /* by the material point method */
     StepModes *modes[BAR_MODES_MAX]; /* v_cm of each mode of the start by the engine's own step */
-    BarMotion *motion;               /* by peridynamics */
     BarWatch watch;
 } BarAnswers;
 
@@ -58,8 +56,27 @@ BarWatch bar_watch(const BarTheory *);
 /* The frequency predicted for a mode as a run of the settings shows it; NAN: not known. */
 typedef double BarFrequency(const Settings *, const BarTheory *, int mode);
 
-/* Plans v_cm with its references. `predicted` v_cm, NULL: not known; `meaning` of that column. */
-void bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, Answer *predicted,
+/* What a method's step predicts from. `start`: the bar of a right code without loads as the theory starts it,
+ * NULL: no memory. `wave`: of an endless bar, known: the step is within the stability limit of this wave. */
+typedef Simulation *BarStart(const Settings *, const BarTheory *);
+typedef Dispersion BarWave(const Settings *, const BarTheory *, double wave_number);
+typedef struct BarStep {
+    BarStart *start;
+    BarWave *wave;
+    double spacing; /* of nodes */
+    int most;       /* of spacings in a bar; of a longer one the wave is taken */
+} BarStep;
+
+/* Mode `number` as the step goes on with it, and its overlap with what the bar starts with. Between
+ * shortage_begin() and shortage_end(). */
+StepMode bar_step_mode(const BarStep *, const Settings *, const BarTheory *, int number);
+
+/* BarAnswers.modes. False: v_cm is not known by them. */
+bool bar_find_motion(BarAnswers *, const Settings *, BarStart *);
+
+/* Plans v_cm with its references. `whole`: bar_find_motion() found the predicted one; `meaning` of that
+ * column. */
+void bar_prepare(References *, const Settings *, const Simulation *, BarFrequency *, bool whole,
                  const char *meaning);
 
 /* Of both solvers. */
@@ -91,7 +108,6 @@ bool bar_limit(const Settings *, char *advice, size_t size, Status *);
 int bar_modes_of(double count);
 
 /* A mode with the wave that is predicted for it; its factors are the caller's. False: no such wave. */
-typedef Dispersion BarWave(const Settings *, const BarTheory *, double wave_number);
 bool bar_mode(const Settings *, int number, BarWave *, ModeOnMesh *, Dispersion *wave);
 
 /* For Solver. */

@@ -2,7 +2,8 @@
 /* Every mode of a bar on its mesh or lattice: what a dispersion plot shows, with the reasons for its error
  * apart.
  *
- * Source: the discrete dispersion relations of theory/elastic_bar.h and answers/bar_lattice.h. Units: any
+ * Source: the discrete dispersion relations of theory/elastic_bar.h and
+ * methods/bonds/plane/bonds_plane.h. Units: any
  * consistent system.
  */
 #ifndef ANSWERS_DISPERSION_CURVES_H

@@ -139,46 +139,17 @@ static Simulation *start_of(const Settings *settings, const BarTheory *theory)
     return create(right_definition(settings), settings, theory, NULL);
 }
 
-/* Between shortage_begin() and shortage_end(): once cancelled, the modes that follow are not asked about. */
-static StepModes *modes_from(const Settings *settings, const BarTheory *theory, bool whole)
+static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory, double wave_number)
 {
-    Simulation *sim = errno == ECANCELED ? NULL : start_of(settings, theory);
-    StepModes *modes = sim ? step_modes_create(sim, whole, settings->cancel) : NULL;
-    simulation_destroy(sim);
-    return modes;
+    const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
+    return dispersion_of_bar(theory, &mesh, wave_number);
 }
 
-/* Mode `number` as the step goes on with it, and its overlap with what the bar starts with; of bars that are
- * too large for that the wave of an endless mesh. */
 static StepMode step_mode(const Settings *settings, const BarTheory *theory, int number)
 {
-    const int cells_most = bar_is_layered(theory) ? 20000 : 2000;
-    const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    StepMode mode = {.known = number == 0, .overlap = 1};
-    BarTheory pure = *theory;
-    pure.modes[0].number = number;
-    pure.modes[0].velocity = pure.n_modes = 1;
-    pure.of_sines = false;
-    pure.pulse.velocity = 0;
-    /* a wave shorter than two cells looks to the nodes like a longer one */
-    if (number == 0 || bar_largest_wave_number(theory, number) * mesh.cell_size > M_PI * (1 + 1e-12))
-        return mode;
-    StepModes *modes =
-        theory->length > cells_most * mesh.cell_size ? NULL : modes_from(settings, &pure, false);
-    if (modes)
-        mode = step_modes_largest(modes);
-    if (mode.known && theory->of_sines) {
-        pure.of_sines = true;
-        Simulation *start = start_of(settings, &pure);
-        mode.overlap = start ? step_modes_overlap(modes, start) : NAN;
-        simulation_destroy(start);
-    }
-    step_modes_free(modes);
-    if (!mode.known && !bar_is_layered(theory)) {
-        const Dispersion wave = dispersion_of_bar(theory, &mesh, bar_wave_number(theory, number));
-        mode = (StepMode){wave.known, wave.frequency, wave.decay, 1};
-    }
-    return mode;
+    const BarStep step = {start_of, wave_on_mesh, settings_mesh(settings)->cell_size,
+                          bar_is_layered(theory) ? 20000 : 2000};
+    return bar_step_mode(&step, settings, theory, number);
 }
 
 /* The largest courant number dt c/dx, c that of the faster material, with which the bar at rest on its mesh
@@ -229,16 +200,6 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
     return true;
 }
 
-static double predicted_v_cm(References *refs, long step, double time, const double *row)
-{
-    (void)time, (void)row;
-    const BarAnswers *bar = bar_answers(refs);
-    double sum = 0;
-    for (int k = 0; k < bar->theory.n_modes; k++)
-        sum += step_modes_v_cm(bar->modes[k], step);
-    return sum;
-}
-
 /* Whether v_cm is predicted from the first step to the last: as long as particles keep their places the grid
  * takes nothing from them. */
 static bool has_whole_motion(const BarTheory *bar, const BarMesh *mesh)
@@ -256,16 +217,9 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
         return false;
     bar->mesh = bar_mesh_of(settings, sim->dt);
     const int before = shortage_begin();
-    bool whole = has_whole_motion(&bar->theory, &bar->mesh) && !refs->unaccounted[REFERENCE_PREDICTED];
-    /* mode by mode: the space of each closes soon, where that of all would drown in rounding */
-    for (int k = 0; k < bar->theory.n_modes && whole; k++) {
-        BarTheory one = bar->theory;
-        one.modes[0] = one.modes[k];
-        one.n_modes = 1;
-        bar->modes[k] = modes_from(settings, &one, true);
-        whole = bar->modes[k] && step_modes_are_whole(bar->modes[k]);
-    }
-    bar_prepare(refs, settings, sim, predicted_frequency, whole ? predicted_v_cm : NULL,
+    const bool whole = has_whole_motion(&bar->theory, &bar->mesh) &&
+                       !refs->unaccounted[REFERENCE_PREDICTED] && bar_find_motion(bar, settings, start_of);
+    bar_prepare(refs, settings, sim, predicted_frequency, whole,
                 "velocity of the centre of mass predicted for this mesh");
     const StepMode found = step_mode(settings, &bar->theory, bar->watch.mode);
     if (bar->watch.mode > 0 && found.known) {
@@ -379,12 +333,6 @@ static int modes(const Settings *settings)
     if (!bar_theory_of(settings, &theory, NULL) || bar_is_layered(&theory))
         return 0;
     return bar_modes_of(round(settings_geometry(settings)->length / settings_mesh(settings)->cell_size));
-}
-
-static Dispersion wave_on_mesh(const Settings *settings, const BarTheory *theory, double wave_number)
-{
-    const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
-    return dispersion_of_bar(theory, &mesh, wave_number);
 }
 
 /* The lumped mesh alone, sqrt(K)/theta; particle -> node -> particle, sqrt(F); masses that are not lumped, T;

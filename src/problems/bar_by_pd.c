@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
-#include "answers/bar_lattice.h"
 #include "base/cancel.h"
+#include "base/math/functions.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
@@ -43,11 +43,14 @@ BeamDef bar_pd_definition(const Settings *settings)
     };
 }
 
-/* Of a right code. */
+/* Of a right code, without loads. Codes that kick once a step have the frequencies of velocity Verlet. */
 static BeamDef right_definition(const Settings *settings)
 {
     BeamDef def = bar_pd_definition(settings);
     def.mistake = def.mistake_beside = 0;
+    def.body_force = def.traction = 0;
+    def.stepping = STEPPING_VERLET;
+    def.cancel = (Cancel){0}; /* the steps ask */
     return def;
 }
 
@@ -62,40 +65,72 @@ static bool check(const Settings *settings, Status *status)
            problem_check_steps(settings_time(settings)->end, def.dt, status);
 }
 
+static Simulation *create(BeamDef def, const BarTheory *theory, Status *status)
+{
+    def.initial_velocity = bar_start;
+    def.initial_context = theory;
+    return beam_create(&def, status);
+}
+
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
     (void)threads; /* a bar is too small to be shared */
     BarTheory theory;
-    if (!bar_theory_of(settings, &theory, status))
-        return NULL;
-    BeamDef def = bar_pd_definition(settings);
-    def.initial_velocity = bar_start;
-    def.initial_context = &theory;
-    return beam_create(&def, status);
+    return bar_theory_of(settings, &theory, status) ? create(bar_pd_definition(settings), &theory, status)
+                                                    : NULL;
 }
 
-static double predicted_frequency(const Settings *settings, const BarTheory *theory, int mode)
+/* --- what the step predicts ----------------------------------------------------------------------- */
+
+static Simulation *start_of(const Settings *settings, const BarTheory *theory)
 {
-    const BeamDef lattice = right_definition(settings);
-    return bar_lattice_frequency(theory, &lattice, mode);
+    return create(right_definition(settings), theory, NULL);
 }
 
-ANSWER(predicted_v_cm, bar_motion_centre_velocity(bar_answers(refs)->motion, step))
+/* On an endless lattice, by bonds of one shape. Velocity Verlet turns u'' = -omega^2 u into sin(Omega dt/2) =
+ * omega dt/2. A wave shorter than two spacings is a longer one to the nodes. */
+static Dispersion wave_by(const Settings *settings, Influence shape, double wave_number)
+{
+    BeamDef def = right_definition(settings);
+    Dispersion wave = {.space_only = NAN, .frequency = NAN, .filter = 1};
+    def.influence = shape;
+    if (!(fabs(wave_number) * def.spacing <= M_PI * (1 + 1e-12)))
+        return wave;
+    wave.space_only = bonds_line_wave(&def, wave_number);
+    const double half = wave.space_only * def.dt / 2;
+    wave.known = half <= 1;
+    if (wave.known)
+        wave.frequency = 2 * math_asin(half) / def.dt;
+    return wave;
+}
+
+static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)
+{
+    (void)theory;
+    return wave_by(settings, settings_lattice(settings)->influence, wave_number);
+}
+
+static double predicted_frequency(const Settings *settings, const BarTheory *theory, int number)
+{
+    const BarStep step = {start_of, wave_on_lattice, lattice_spacing(settings), 2000};
+    const StepMode mode = bar_step_mode(&step, settings, theory, number);
+    return mode.known ? mode.frequency : NAN;
+}
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
     BarAnswers *bar = bar_answers_create(refs, settings, status);
     if (!bar)
         return false;
-    const BeamDef lattice = right_definition(settings);
+    const BeamDef lattice = bar_pd_definition(settings);
     const int before = shortage_begin();
     /* with one kick a step v is half a step off, and the frequency the same */
-    if (!refs->unaccounted[REFERENCE_PREDICTED] && settings_lattice(settings)->stepping == STEPPING_VERLET)
-        bar->motion = bar_lattice_motion(&bar->theory, &lattice);
-    bar_prepare(refs, settings, sim, predicted_frequency, bar->motion ? predicted_v_cm : NULL,
+    const bool whole = !refs->unaccounted[REFERENCE_PREDICTED] && lattice.body_force == 0 &&
+                       lattice.traction == 0 && lattice.stepping == STEPPING_VERLET &&
+                       bar_find_motion(bar, settings, start_of);
+    bar_prepare(refs, settings, sim, predicted_frequency, whole,
                 "velocity of the centre of mass predicted for this lattice");
-    return bar_prediction_is_whole(before, round(settings_geometry(settings)->length / lattice.spacing),
-                                   "nodes", status);
+    return bar_prediction_is_whole(before, round(lattice.length / lattice.spacing), "nodes", status);
 }
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
@@ -107,8 +142,10 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL))
         return 0;
+    const int before = shortage_begin();
     bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
     bar_derived_wave(out, &n, settings, &theory, nodes <= QUICKLY ? predicted_frequency : NULL, dt);
+    shortage_end(before);
     derived_add(out, &n, "particles", "particles", "1", nodes, true);
     derived_add(out, &n, "lattice_spacing", "spacing h", "length", spacing, false);
     derived_add(out, &n, "lattice_horizon", "horizon delta", "length", lattice_horizon(settings), false);
@@ -150,13 +187,6 @@ static int modes(const Settings *settings)
     return bar_modes_of(round(settings_geometry(settings)->length / lattice_spacing(settings)));
 }
 
-static Dispersion wave_on_lattice(const Settings *settings, const BarTheory *theory, double wave_number)
-{
-    const BeamDef lattice = right_definition(settings);
-    (void)theory;
-    return bar_lattice_dispersion(&lattice, wave_number);
-}
-
 static void lattice_factors(const Dispersion *wave, ModeOnMesh *mode)
 {
     mode->factors[0] =
@@ -189,13 +219,11 @@ static const char *other_way(const Settings *settings, int which, int number, do
     BarTheory theory;
     if (which >= (int)(sizeof names / sizeof *names) || !bar_theory_of(settings, &theory, NULL))
         return NULL;
-    BeamDef lattice = right_definition(settings);
     const double wave = bar_wave_number(&theory, number);
     const Influence shape = which % 2 ? INFLUENCE_CONICAL : INFLUENCE_CONSTANT;
-    lattice.influence = shape;
-    *frequency = which < 2
-                     ? bar_lattice_dispersion(&lattice, wave).frequency
-                     : wave * bar_wave_speed(&theory) * sqrt(pd_waves_line(shape, wave * lattice.horizon));
+    *frequency = which < 2 ? wave_by(settings, shape, wave).frequency
+                           : wave * bar_wave_speed(&theory) *
+                                 sqrt(pd_waves_line(shape, wave * lattice_horizon(settings)));
     return names[which];
 }
 

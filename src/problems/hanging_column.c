@@ -7,7 +7,7 @@
 #include "scenario/concern_loads.h"
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
-#include "theory/bar_motion.h"
+#include "theory/hanging_column.h"
 #include "base/math/functions.h"
 
 #include <math.h>

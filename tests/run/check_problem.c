@@ -621,6 +621,27 @@ START_TEST(other_ways_on_the_same_mesh)
 }
 END_TEST
 
+/* Between fixed ends a wave of the endless lattice is a mode of the bar's own step. */
+START_TEST(a_wave_is_a_mode_between_fixed_ends)
+{
+    const int number = 9;
+    Settings settings = bar_settings(number, 0.1);
+    set(&settings, "scenario.method", "pd");
+    set(&settings, "bar.supports", "fixed-fixed");
+    set(&settings, "time.courant", "0.9");
+    Derived derived[DERIVED_MAX];
+    ModeOnMesh mode;
+    const int n = problem_derived(&settings, NULL, derived);
+    double by_step = NAN;
+    for (int i = 0; i < n; i++)
+        if (strcmp(derived[i].name, "omega_predicted") == 0)
+            by_step = derived[i].value;
+    ck_assert(dispersion_mode(&settings, number, &mode));
+    ck_assert_double_eq_tol(mode.predicted / by_step, 1, 1e-12);
+    ck_assert_double_gt(fabs(mode.factors[1].value - 1), 0.04);
+}
+END_TEST
+
 /* --- two materials -------------------------------------------------------------------------------- */
 
 static Settings loaded(const char *scenario, const char *const *pairs)
@@ -1073,6 +1094,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, a_column_s_support_bears_its_weight);
     tcase_add_test(tcase, every_problem_has_its_method);
     tcase_add_test(tcase, other_ways_on_the_same_mesh);
+    tcase_add_test(tcase, a_wave_is_a_mode_between_fixed_ends);
     suite_add_tcase(suite, tcase);
     TCase *bodies = tcase_create("bodies");
     tcase_set_timeout(bodies, 120);

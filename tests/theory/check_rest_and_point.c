@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One particle at any amplitude, and a bar that hangs: against digits of others, and against the equations.
  */
-#include "theory/bar_motion.h"
+#include "theory/hanging_column.h"
 #include "theory/oscillator.h"
 #include "suite.h"
 

@@ -208,6 +208,7 @@ static const Method beam_method = {
     .explain = beam_explain,
     .state_size = beam_state_size,
     .load = beam_load,
+    .small = beam_small,
     .change = beam_change,
 };
 

@@ -237,6 +237,7 @@ double crack_speed_now(const Beam *beam);
 /* bonds_state.c */
 size_t beam_state_size(const Simulation *sim);
 void beam_load(Simulation *sim, const void *bytes);
+size_t beam_small(Simulation *, double *x, double unit, bool put);
 bool beam_change(Simulation *sim, const char *key, double value, Status *status);
 
 /* bonds_series.c */

@@ -15,7 +15,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 _Static_assert((int)LATTICE_LINE_REACH_MAX <= (int)BAND_WIDTH_MAX, "the matrix of the lattice fits a band");
@@ -117,7 +116,8 @@ double bonds_line_stress(const Beam *beam, int i)
     return sum * lattice->spacing / 2;
 }
 
-/* With the stiffness k_m of bonds at distance m h and theta = k h (bar_lattice.h in answers)
+/* A wave u_j = U exp(i (k j h - omega t)) obeys, with the stiffness k_m of bonds at distance m h and theta =
+ * k h,
  *
  *     rho omega^2 = 4 G sum_m k_m sin^2(m theta/2),   G = 1, or with the energy correction E/(c h^2 sum_m w_m
  * m)
@@ -141,11 +141,12 @@ double bonds_line_wave(const BeamDef *def, double wave_number)
     return sqrt(lattice.micromodulus * sum / def->density);
 }
 
-/* K_ii = sum k, K_ij = -k of the band matrix of f = -K u. A bond to a mirrored node, u = -u_j, adds +k to
- * K_ij instead; its partner j lies nearer to the end than the horizon, so the matrix stays a band of
- * half-width `reach`. */
-static void put_matrix(const Lattice *lattice, double density, BondsPut *put, void *into)
+/* The band matrix K/rho of f = -K u, its lower half row by row from the diagonal to the left: K_ii = sum k,
+ * K_ij = -k. A bond to a mirrored node, u = -u_j, adds +k to K_ij instead; its partner j lies nearer to the
+ * end than the horizon, so the matrix stays a band of half-width `reach`. */
+static void fill_band(const Lattice *lattice, double density, double *rows)
 {
+    const size_t width = (size_t)lattice->reach;
     for (size_t a = 0; a < lattice_nodes(lattice); a++)
         for (int m = -lattice->reach; m <= lattice->reach; m++) {
             const int i = lattice_column(lattice, a), other = i + m;
@@ -154,70 +155,39 @@ static void put_matrix(const Lattice *lattice, double density, BondsPut *put, vo
             const BondPlace bond = {m < 0 ? other : i, 0, abs(m) - 1};
             const double k =
                 lattice_coefficient(lattice, bond) / lattice->offsets[bond.offset].length / density;
-            put(into, a, a, k);
-            put(into, a, lattice_node(lattice, other, 0), lattice_is_image(lattice, other) ? k : -k);
+            const size_t b = lattice_node(lattice, other, 0);
+            rows[a * (width + 1)] += k;
+            if (b <= a)
+                rows[a * (width + 1) + a - b] += lattice_is_image(lattice, other) ? k : -k;
         }
-}
-
-bool bonds_line_matrix(const BeamDef *def, BondsPut *put, void *into, Status *status)
-{
-    Lattice lattice;
-    BeamDef whole = *def;
-    bonds_line_complete(&whole);
-    if (!lattice_init(&lattice, &whole, status))
-        return false;
-    put_matrix(&lattice, def->density, put, into);
-    lattice_free(&lattice);
-    return true;
-}
-
-typedef struct BandRows {
-    double *rows;
-    size_t width;
-} BandRows;
-
-/* The lower half, row by row from the diagonal to the left. */
-static void put_in_band(void *into, size_t row, size_t column, double value)
-{
-    BandRows *band = into;
-    if (column <= row)
-        band->rows[row * (band->width + 1) + row - column] += value;
-}
-
-double bonds_line_eigenvalue(const BeamDef *def, size_t number, Status *status)
-{
-    Lattice lattice;
-    BeamDef whole = *def;
-    double value = NAN;
-    bonds_line_complete(&whole);
-    if (!lattice_init(&lattice, &whole, status))
-        return NAN;
-    const size_t n = lattice_nodes(&lattice), width = (size_t)lattice.reach;
-    BandRows band = {calloc(n * (width + 1), sizeof(double)), width};
-    if (band.rows) {
-        put_matrix(&lattice, def->density, put_in_band, &band);
-        const Band matrix = {n, lattice.reach, band.rows};
-        value = band_eigenvalue(&matrix, number < n ? number : n - 1, &def->cancel);
-        if (isnan(value))
-            status_fail(status, errno == ECANCELED
-                                    ? "the building of the bar was cancelled"
-                                    : "the search for the critical time step did not converge");
-    } else
-        status_fail(status, "not enough memory for the lattice of the bar");
-    free(band.rows);
-    lattice_free(&lattice);
-    return value;
 }
 
 /* The largest frequency of a long bar is that of 2000 nodes with the same ends, to 1e-6. */
 bool bonds_line_critical_step(const BeamDef *def, double *step, Status *status)
 {
     enum { NODES = 2000 };
+    Lattice lattice;
     BeamDef part = *def;
     bonds_line_complete(&part);
     part.mistake = part.mistake_beside = 0; /* a wrong code is run with the step of the right one */
     if (part.length > NODES * part.spacing)
         part.length = NODES * part.spacing;
-    *step = 2 / sqrt(bonds_line_eigenvalue(&part, SIZE_MAX, status));
-    return isfinite(*step);
+    if (!lattice_init(&lattice, &part, status))
+        return false;
+    const size_t n = lattice_nodes(&lattice);
+    double *rows = calloc(n * ((size_t)lattice.reach + 1), sizeof *rows);
+    if (rows) {
+        fill_band(&lattice, def->density, rows);
+        const Band matrix = {n, lattice.reach, rows};
+        *step = 2 / sqrt(band_eigenvalue(&matrix, n - 1, &def->cancel));
+        if (isnan(*step))
+            status_fail(status, errno == ECANCELED
+                                    ? "the building of the bar was cancelled"
+                                    : "the search for the critical time step did not converge");
+    } else
+        status_fail(status, "not enough memory for the lattice of the bar");
+    const bool found = rows && isfinite(*step);
+    free(rows);
+    lattice_free(&lattice);
+    return found;
 }

@@ -144,14 +144,11 @@ void beam_facts(const Simulation *beam, BeamFacts *facts);
 /* The critical step of a bar before there is a simulation. False: memory is short, or given up. */
 bool bonds_line_critical_step(const BeamDef *definition, double *step, Status *status);
 
-/* Small motion of a bar before time is cut into steps: the frequency of a wave far from its ends, NAN: the
- * horizon is not sound; K/rho of u'' = -K u/rho, handed over entry by entry in the order of nodes, those
- * of one place to be added; and an eigenvalue of it, omega^2, 0 the least, any number beyond the last the
- * largest, NAN: no memory (errno ENOMEM), given up (ECANCELED). */
+/* The frequency of a wave in a bar of bonds far from its ends, before time is cut into steps: the dispersion
+ * relation of S. A. Silling (2000), section 6, summed over the lattice. For long waves, with partial volumes
+ * and delta a whole number of spacings, it is that of elasticity; to the next order it is too low by
+ * k^2 (delta^2 + h^2)/48. NAN: the horizon is not sound. */
 double bonds_line_wave(const BeamDef *, double wave_number);
-double bonds_line_eigenvalue(const BeamDef *, size_t number, Status *);
-typedef void BondsPut(void *into, size_t row, size_t column, double value);
-bool bonds_line_matrix(const BeamDef *, BondsPut *, void *into, Status *);
 
 /* The motion is at rest when the kinetic energy is below this share of its largest; looked for every so many
  * steps. */

@@ -53,6 +53,31 @@ void beam_load(Simulation *sim, const void *bytes)
     beam->strain_known = beam->kinetic_known = false;
 }
 
+/* Of a bar: sqrt(m) v, then sqrt(m) c/h u, c the speed of long waves and h the spacing. */
+size_t beam_small(Simulation *sim, double *x, double unit, bool put)
+{
+    Beam *beam = (Beam *)sim;
+    const Lattice *lattice = &beam->lattice;
+    const size_t count = lattice_nodes(lattice), first = lattice_at(lattice, lattice->images[0], 0);
+    const double root = sqrt(beam->def.density * lattice->spacing);
+    const double rate = sqrt(beam->def.youngs_modulus / beam->def.density) / lattice->spacing;
+    ASSERT(lattice->line);
+    for (size_t i = 0; x && i < 2 * count; i++) {
+        double *value = (i < count ? beam->nodes.vx : beam->nodes.ux) + first + i % count;
+        const double scale = i < count ? root : unit * root * rate;
+        if (put)
+            *value = x[i] / scale;
+        else
+            x[i] = *value * scale;
+    }
+    if (x && put) {
+        bonds_line_mirror(beam);
+        beam_ask_forces(beam, 1, NULL);
+        beam->strain_known = beam->kinetic_known = false;
+    }
+    return 2 * count;
+}
+
 /* Parameters that a run may change between steps: they are in the state's head, so a snapshot brings back
  * its own. */
 typedef struct LiveParameter {
