@@ -107,13 +107,13 @@ static bool any_weight(const Beam *beam, double value)
 static const LiveParameter live_on_line[] = {
     {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number"},
     {"load.traction", offsetof(StateHead, load_stress), any_stress, "a number"},
-    {NULL},
+    {0},
 };
 static const LiveParameter live_parameters[] = {
     {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number in m/s^2"},
     {"load.stress", offsetof(StateHead, load_stress), any_stress, "a stress in Pa, on the notched beam"},
     {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
-    {NULL},
+    {0},
 };
 
 /* Of those that are no matter of the start or of a factor. */
