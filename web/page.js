@@ -16,7 +16,7 @@ function begin(words, {files = [], input = ''} = {}) {
 		plain.turn(false);
 		notice('A session is shown on the screen: plain words take lines alone.');
 	}
-	term.reset();
+	if (answers) term.reset(); // else nothing was written
 	vectors.areas = [];
 	term.options.theme = themes[look()]; // the program's colours are for one ground until it ends
 	resize();
@@ -54,7 +54,8 @@ function begin(words, {files = [], input = ''} = {}) {
 
 function show_end(title, text) {
 	element('end-title').textContent = title;
-	element('end-text').textContent = text.replace(/[\x00-\x08\x0b-\x1f\x7f]/g, '').slice(-1500);
+	// what a line of progress was before it was written anew is not shown
+	element('end-text').textContent = text.replace(/\x1b\[[\d;]*[A-Za-z]/g, '').replace(/[^\n]*\r(?!\n)/g, '').replace(/[\x00-\x08\x0b-\x1f\x7f]/g, '').slice(-1500);
 	list_files('end-files', (name) => name === opened.recording || (!opened.recording && name.endsWith('.session')));
 	element('again').textContent = opened.recording && !about_session(opened.recording).whole ? 'go on with it' : 'start again';
 	element('end-sheet').showModal();

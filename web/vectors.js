@@ -140,7 +140,8 @@ const vectors = {
 		let cell;
 		for (let y = 0; y < term.rows; y++) {
 			const line = buffer.getLine(buffer.viewportY + y);
-			for (let x = 0; line && x < term.cols; x++) {
+			if (!line || !/[\u2580\u2584\u2588]/.test(line.translateToString(true))) continue; // a call a cell is dear
+			for (let x = 0; x < term.cols; x++) {
 				cell = line.getCell(x, cell);
 				const code = cell.getCode();
 				if (![0x2580, 0x2584, 0x2588].includes(code) || cell.isInverse()) continue;

@@ -932,6 +932,10 @@ async function lesson_on_a_telephone() {
 	await tap_button('n next');
 	await shows('a lesson on a narrow telephone has its text and its plot', (text) => /2\/11/.test(text) && /v_cm/.test(text));
 	await shot('phone-lesson');
+	await open(one + '?lesson=late', {width: 844, height: 390}, true);
+	await until((text) => /1 of \d+|1\/\d+/.test(text));
+	await tap_button('n next');
+	await shows('and has them side by side when it lies on its side', (text) => /2\/11.*v_cm/.test(text) && /At t = 13\.1/.test(text));
 }
 
 async function answer_by_taps() {
@@ -1216,6 +1220,11 @@ async function end_of_the_program() {
 	await type('q');
 	await page.waitForFunction(() => document.getElementById('end-sheet').open).catch(() => {});
 	result('the end of the program offers to begin again', await page.$eval('#end-sheet', (sheet) => sheet.open), await screen());
+	const told = await page.evaluate(() => {
+		show_end('', 'building: 11 %\r\x1b[K\x1b[Kmatvib: a line\r\n');
+		return element('end-text').textContent;
+	});
+	result('what it said is told without its progress', told === 'matvib: a line\n', JSON.stringify(told));
 	await page.click('#again');
 	await shows('which does', has('Space pause'));
 }
