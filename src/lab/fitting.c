@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A fit of the run on screen to the overlay: the search of answers/fit_search.h in front of a screen that
  * goes on answering. */
-#include "lab/fitting.h"
+#include "lab/laboratory.h"
 
 #include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/fit_data.h"
 #include "scenario/parameters.h"
-#include "lab/laboratory.h"
 #include "views/view.h"
 #include "answers/diagnose.h"
 

@@ -6,6 +6,7 @@
 #define LAB_LABORATORY_H
 
 #include "base/output.h"
+#include "answers/convergence.h"
 #include "answers/run_summary.h"
 #include "run/overlay.h"
 #include "lab/commands/exporting.h"
@@ -13,11 +14,12 @@
 #include "lab/lesson/lesson_play.h"
 #include "lab/player.h"
 #include "lab/prompt/prompt.h"
-#include "lab/refining.h"
 #include "lab/session/laboratory_main.h"
 #include "terminal/keys.h"
 #include "panes/screen.h"
 #include "picture/canvas.h"
+
+#include <stdbool.h>
 
 #define FRAME_SECONDS 0.033 /* a frame is at most that long, so a key is answered within it */
 
@@ -46,6 +48,13 @@ typedef struct InputState {
     int drag_x;                                        /* where it was nudged last */
     bool pasted_line; /* a pasted line has ended; what is pasted behind it is another word */
 } InputState;
+
+/* The points of the study of convergence that a view shows, worked out one after the other while nothing else
+ * is to be done. */
+typedef struct Refining {
+    Convergence convergence;         /* behind screen.convergence */
+    const ConvergenceStudy *stopped; /* by hand, until a view is asked for again; NULL: none */
+} Refining;
 
 struct Laboratory {
     Screen screen;
@@ -143,5 +152,28 @@ bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
  * nothing more. */
 void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void laboratory_tell(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* `:fit KEY,...`: the parameters with which the run agrees best with the series that lies over it. */
+
+/* Searches, says how far it has come meanwhile, and has the run made again with what was found; one undo
+ * takes it back. What was found, its intervals and the residuals are said. False: refused, prompt.problem
+ * says why.
+ */
+bool fitting_answer(Laboratory *, const char *words);
+
+/* `:diagnose FILE`: which code made the numbers of a file, as against the scenario on screen. */
+
+/* What is found is said in the box, and a series lies over the plots from then on. The run on screen stays as
+ * it is. False: refused, prompt.problem says why. */
+bool fitting_diagnose(Laboratory *, const char *words);
+
+/* Whether a study on screen lacks points and nothing else goes on. */
+bool refining_is_due(const Laboratory *);
+
+/* The next point. A key that waits is let through, and the point begun again afterwards. */
+void refining_work(Laboratory *);
+
+/* False: there is nothing to stop. */
+bool refining_stop(Laboratory *);
 
 #endif

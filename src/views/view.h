@@ -148,9 +148,6 @@ void crack_cost_describe(const Screen *, int variant, Picture *);
 /* One bond with its two ends, or the strongest of a family, in the place of a cell where there is no mesh. */
 void cell_bonds_describe(const Screen *, int variant, Picture *);
 
-/* A bond's force over its stretch, in the place of shape functions where there is no mesh. */
-void bond_law_describe(const Screen *, Picture *);
-
 /* The map with where it is held and loaded alone: where a node lies in it. False: there is none. */
 bool view_map_small(const Screen *, Picture *);
 

@@ -1,10 +1,176 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shape functions of the nodes around the chosen particle, or their slopes, with the particles on
- * them and the sum of all. */
+ * them and the sum of all. In their place where there is no mesh: what a bond answers to its stretch. */
 #include "views/view.h"
+#include "panes/screen.h"
+#include "scenario/concern_bonds.h"
+#include "base/kinds.h"
+#include "base/math/functions.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+
+/* --- a bond's force over its stretch -------------------------------------------------------------------
+ * Where it breaks, and where on that line the nodes stand: each by its most stretched whole bond. */
+
+/* The largest stretch of every node, and who may not break. */
+typedef struct Stretches {
+    double *values, *safe;
+    size_t count;
+    double least, most; /* of all */
+    size_t foremost;    /* the node with the largest of a bond that may break; count: there is none */
+    double largest;     /* that stretch */
+} Stretches;
+
+static void free_stretches(Stretches *all)
+{
+    free(all->values);
+    free(all->safe);
+}
+
+/* The largest stretch among the whole bonds of a node that may break: neither end is protected. */
+static double breakable(const Simulation *sim, const Stretches *all, size_t node)
+{
+    enum { LINKS_MAX = 256 };
+    Link links[LINKS_MAX];
+    size_t count = sim->method->links(sim, 0, node, links, LINKS_MAX);
+    double largest = -HUGE_VAL;
+    for (size_t i = 0; i < count && i < LINKS_MAX; i++)
+        if (!links[i].broken && all->safe[links[i].index] == 0)
+            largest = fmax(largest, links[i].stretch);
+    return largest;
+}
+
+/* Where bonds break at s0, only bonds that never do are stretched more: their nodes are looked at bond by
+ * bond. */
+static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
+{
+    const size_t count = sim->counts[0];
+    const int stretch = simulation_find_field(sim, 0, "stretch");
+    const int safe = simulation_find_field(sim, 0, "protected");
+    *all = (Stretches){.count = count, .foremost = count, .largest = -HUGE_VAL};
+    if (!simulation_has(sim, HAS_STRETCH) || count == 0)
+        return false;
+    all->values = malloc(count * sizeof *all->values);
+    all->safe = calloc(count, sizeof *all->safe);
+    if (!all->values || !all->safe)
+        return false;
+    sim->method->field(sim, stretch, 0, count, all->values);
+    if (safe >= 0)
+        sim->method->field(sim, safe, 0, count, all->safe);
+    all->least = all->most = all->values[0];
+    for (size_t i = 0; i < count; i++) {
+        const double value = all->values[i];
+        all->least = fmin(all->least, value);
+        all->most = fmax(all->most, value);
+        if (all->safe[i] != 0)
+            continue;
+        const double own = s0 > 0 && value >= s0 ? breakable(sim, all, i) : value;
+        if (own > all->largest) {
+            all->largest = own;
+            all->foremost = i;
+        }
+    }
+    return true;
+}
+
+/* Counts the nodes over each column of dots; returns how many the fullest has. */
+static int count_nodes(const Axis *x, const Stretches *all, int *bins, int dots)
+{
+    int most = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        const int bin = axis_column(x, all->values[i], dots);
+        if (bin >= 0 && ++bins[bin] > most)
+            most = bins[bin];
+    }
+    return most;
+}
+
+/* `most`: the count at the end of the scale; 0: there is none. */
+static void law_lines(const Screen *screen, const Stretches *all, double s0, int most, char first[160],
+                      char second[160])
+{
+    first[0] = second[0] = '\0';
+    if (all->foremost < all->count) {
+        snprintf(first, 160, "largest s %s", text_fitted(all->largest, 4, 10).text);
+        if (s0 > 0)
+            text_append(first, 160, " = %.1f %% of s0", 100 * all->largest / s0);
+        text_append(first, 160, "  particle %zu", all->foremost);
+    }
+    if (s0 > 0) {
+        snprintf(second, 160, "s0 %s: G0 %s J/m^2", text_fitted(s0, 4, 10).text,
+                 text_fitted(screen_derived(screen, "critical_energy"), 4, 9).text);
+        if (all->most > s0)
+            text_append(second, 160, "  protected bonds reach %.0f %%", 100 * all->most / s0);
+    } else {
+        snprintf(second, 160, s0 == 0 ? "s0 = 0: bonds never break" : "a bar's bonds never break");
+    }
+    if (most > 0)
+        text_append(second, 160, "  nodes: log scale to %d", most);
+}
+
+static const Pen pen_limit = {LINE_DASHED, '-', STYLE_EXACT, RANK_EXACT, 0}; /* of what a bond bears */
+
+static void describe_bond_law(const Screen *screen, Picture *picture)
+{
+    const Simulation *sim = screen_simulation(screen);
+    const double s0 = screen_derived(screen, "critical_stretch");
+    const double stiffness = screen_derived(screen, "micromodulus");
+    Stretches all;
+    if (!take_stretches(sim, s0, &all) || !(stiffness > 0)) {
+        picture_heading(picture, "a bond's force");
+        free_stretches(&all);
+        return;
+    }
+    /* it stands at three quarters, unless a protected bond goes further */
+    double reach = fmax(fmax(all.most, -all.least), s0 > 0 ? s0 : 0);
+    reach = reach > 0 ? axis_round_up(1.15 * reach) : 1e-6;
+    picture_axes(picture, axis_make(-reach / 4, reach), "s", "",
+                 axis_make(-stiffness * reach / 4, stiffness * reach),
+                 !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", "");
+    const bool breaks = s0 > 0;
+    const bool conical = settings_lattice(screen_settings(screen))->influence == INFLUENCE_CONICAL;
+    picture_name(picture, pen_measured, conical ? "f = c1 s, shortest" : "f = c s");
+    if (breaks)
+        picture_name(picture, pen_limit, "s0");
+    picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_SECOND, "nodes", SIGN_BAND, 1});
+    /* a bin has enough nodes to be counted, however fine the page is */
+    const int dots = picture->dots < 2 * picture->across ? picture->dots : 2 * picture->across;
+    int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL;
+    const int most = bins ? count_nodes(&picture->plot.x, &all, bins, dots) : 0;
+    if (most > 0) {
+        /* The counts as logarithms: one alone is seen beside thousands. */
+        Plot *plot = &picture->plot;
+        const double floor_y = plot->y.low, room = (plot->y.high - plot->y.low) / 2;
+        plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, '+', STYLE_SECOND, RANK_BAND, 1});
+        for (int i = 0; i < dots; i++) {
+            const double x = plot->x.low + (plot->x.high - plot->x.low) * (i + 0.25) / dots;
+            plot_point(plot, x, floor_y);
+            plot_point(plot, x, floor_y + room * math_log1p(bins[i]) / math_log1p(most));
+        }
+    }
+    free(bins);
+    /* The law: it breaks off at s0. */
+    const Axis *x = &picture->plot.x;
+    const double end = s0 > 0 ? s0 : x->high;
+    picture_line(picture, x->low, stiffness * x->low, end, stiffness * end, pen_measured);
+    if (s0 > 0) {
+        picture_line(picture, s0, stiffness * s0, s0, 0, pen_limit);
+        picture_line(picture, s0, 0, x->high, 0, pen_measured);
+    }
+    char lines[2][160];
+    law_lines(screen, &all, s0, most, lines[0], lines[1]);
+    if (all.foremost < all.count) {
+        picture_mark(picture, all.largest, stiffness * all.largest, 0x25cf, STYLE_CHANGED);
+        PictureNote *note = picture_note(picture, STYLE_NORMAL, "%s", lines[0]);
+        note->sign = 0x25cf;
+        note->sign_style = STYLE_CHANGED;
+    }
+    picture_note(picture, STYLE_NORMAL, "%s", lines[1]);
+    free_stretches(&all);
+}
 
 enum { LINKS_MAX = 8, NEIGHBOURS = 3 };
 
@@ -58,7 +224,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const Simulation *sim = screen_simulation(screen);
     Link links[LINKS_MAX];
     if (simulation_has(sim, HAS_STRETCH)) {
-        bond_law_describe(screen, picture);
+        describe_bond_law(screen, picture);
         return;
     }
     const int position = simulation_find_field(sim, 0, "x"), node_x = simulation_find_field(sim, 1, "x");

@@ -5,7 +5,7 @@
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "views/view.h"
-#include "lab/refining.h"
+#include "lab/laboratory.h"
 #include "lab/tui_case.h"
 #include "lab/prompt/prompt.h"
 #include "panes/screen.h"

@@ -271,7 +271,7 @@ START_TEST(legends_go_on_with_names)
         Canvas canvas = {0};
         ck_assert(canvas_open(&canvas, width, 3, NULL));
         const Area area = {&canvas, {0, 0, width, 3}, GLYPHS_ASCII};
-        int named = heading_draw(area, STYLE_HEADING, "v_cm", "x10^-3", legend, 4, true);
+        int named = cells_heading_draw(area, STYLE_HEADING, "v_cm", "x10^-3", legend, 4, true);
         for (int y = 1; y < 3 && named < 4; y++)
             named += legend_draw_short(area, 2, y, legend + named, 4 - named);
         char *dump = canvas_dump(&canvas);
@@ -293,8 +293,8 @@ START_TEST(legends_keep_the_solid_curve)
     for (int width = 26; width < 70; width++) {
         Canvas canvas = {0};
         ck_assert(canvas_open(&canvas, width, 1, NULL));
-        const int named = heading_draw((Area){&canvas, {0, 0, width, 1}, GLYPHS_ASCII}, STYLE_HEADING, "v_cm",
-                                       "x10^-3", legend, 3, false);
+        const int named = cells_heading_draw((Area){&canvas, {0, 0, width, 1}, GLYPHS_ASCII}, STYLE_HEADING,
+                                             "v_cm", "x10^-3", legend, 3, false);
         char *dump = canvas_dump(&canvas);
         ck_assert_msg(strstr(dump, " meas"), "%s", dump);
         ck_assert_msg(named == 3 || !strstr(dump, " pred"), "%s", dump);

@@ -25,10 +25,8 @@ extern const int n_command_functions;
 #undef COMMAND
 #undef DIGIT
 
-/* time_commands.c */
+/* time_commands.c: they answer the `:` line. */
 bool command_answer_go_to(Laboratory *, const char *text);
-
-/* until_commands.c: they answer the `:` line. */
 bool command_answer_until(Laboratory *, const char *text);
 bool command_answer_event(Laboratory *, const char *text);
 bool command_answer_magnify(Laboratory *, const char *text);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state in which a page of a lesson is entered, and its goal. */
-#include "lab/lesson/lesson_entry.h"
+#include "lab/lesson/lesson_play.h"
 
 #include "base/assertion.h"
 #include "lab/laboratory.h"

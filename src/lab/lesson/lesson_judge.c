@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Calculates what is right and holds runs against goals (lesson_judge.h). */
-#include "lab/lesson/lesson_judge.h"
+/* Calculates what is right and holds runs against goals (lesson_play.h). */
+#include "lab/lesson/lesson_play.h"
 
 #include "export/export.h"
 #include "scenario/settings.h"

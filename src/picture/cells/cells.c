@@ -349,7 +349,7 @@ static void draw_plot(Picture *picture, Area area, Style heading, int colours)
     /* What is drawn without a name says nothing: of what the heading has no room for so many rows may stand
      * below it. In a low pane the curves are worth more, not the bands. */
     int more = drawing ? 0 : area.rect.height >= LEGEND ? 2 : bands > 0;
-    int named = heading_draw(area, heading, picture->name, scale, legend, n_legend, more > 0);
+    int named = cells_heading_draw(area, heading, picture->name, scale, legend, n_legend, more > 0);
     for (; more > 0 && named < n_legend; more--) {
         named += legend_draw_short(area, 2, 1, legend + named, n_legend - named);
         area = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);

@@ -89,10 +89,10 @@ int legend_draw_short(Area, int x, int y, const Legend *, int n_legend);
  * shortened first, then entries move together, then, if the legend does not go on below, ghosts keep their
  * letter only; the first ones, whose curves are solid, are kept. Returns how many entries of the legend that
  * were. */
-int heading_draw(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend,
-                 bool goes_on);
+int cells_heading_draw(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend,
+                       bool goes_on);
 
 /* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
-bool heading_hint(Area, int begin, int end, const char *hint);
+bool cells_heading_hint(Area, int begin, int end, const char *hint);
 
 #endif

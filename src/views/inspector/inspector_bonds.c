@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The inspector of a bar without a mesh: the chosen node, each of its bonds with what its force is made of,
- * and the forces as they add up to the node's. */
+/* The inspectors of bonds. Of a bar: the chosen node, each of its bonds with what its force is made of, and
+ * the forces as they add up to the node's. Of beams: the chosen node's family, each bond with its stretch as
+ * a share of the critical one, the bond that broke last, the most stretched one and why it holds, and the
+ * forces by the side on which they pull. */
 #include "views/inspector/inspector.h"
 #include "base/text.h"
 #include "panes/screen.h"
 #include "scenario/concern_bonds.h"
+#include "scenario/concern_loads.h"
+#include "scenario/settings.h"
+#include "views/map/map.h"
+#include "base/math/functions.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -103,3 +109,332 @@ static void move_on(Screen *screen, int x, int y, int page)
 }
 
 const Inspector inspector_bonds = {.needs = HAS_BONDS | HAS_LINE, .describe = describe, .move = move_on};
+
+/* --- beams and plates ------------------------------------------------------------------------------- */
+
+enum { FAMILY_LINKS = 256 };
+
+/* A bond seen from the chosen node. */
+typedef struct Ray {
+    size_t other;
+    int p, q; /* columns and rows from the node to the other end */
+    double stretch, pull;
+    double direction[2]; /* as it is now */
+    bool broken;
+    long broken_at; /* as of a Link */
+} Ray;
+
+typedef struct Family {
+    const Screen *screen;
+    const Simulation *sim;
+    const Settings *settings;
+    Body body;
+    size_t node;
+    int i, j, reach;
+    Ray rays[FAMILY_LINKS];
+    int count, broken, cut; /* broken in the run; cut by the notch before it */
+    int most;               /* the ray of the most stretched whole bond; -1: none */
+    int last;               /* of the one that broke last, the notch's left out; -1: none */
+} Family;
+
+/* --- what there is ---------------------------------------------------------------------------------- */
+
+static Ray ray_of(const Family *family, const Link *link)
+{
+    const Simulation *sim = family->sim;
+    const long nx = family->body.nx;
+    Ray ray = {
+        .other = link->index, .stretch = link->stretch, .broken = link->broken, .broken_at = link->broken_at};
+    ray.p = (int)((long)link->index % nx - family->i);
+    ray.q = (int)((long)link->index / nx - family->j);
+    const int steps[2] = {ray.p, ray.q};
+    for (int d = 0; d < 2; d++)
+        ray.direction[d] = steps[d] * family->body.spacing +
+                           simulation_value(sim, sim->displacement[d], link->index) -
+                           simulation_value(sim, sim->displacement[d], family->node);
+    const double length = math_hypot(ray.direction[0], ray.direction[1]);
+    for (int d = 0; d < 2 && length > 0; d++)
+        ray.direction[d] /= length;
+    ray.pull = link->pull / (family->body.spacing * family->body.spacing);
+    return ray;
+}
+
+static bool family_of(Family *family, const Screen *screen)
+{
+    const Simulation *sim = screen_simulation(screen);
+    *family =
+        (Family){.screen = screen, .sim = sim, .settings = screen_settings(screen), .most = -1, .last = -1};
+    if (!body_of(sim, &family->body) || sim->counts[0] == 0)
+        return false;
+    family->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
+    family->i = (int)(family->node % (size_t)family->body.nx);
+    family->j = (int)(family->node / (size_t)family->body.nx);
+    Link links[FAMILY_LINKS];
+    const size_t count = sim->method->links(sim, 0, family->node, links, FAMILY_LINKS);
+    family->count = (int)(count < FAMILY_LINKS ? count : FAMILY_LINKS);
+    for (int k = 0; k < family->count; k++) {
+        const Ray ray = family->rays[k] = ray_of(family, &links[k]);
+        const int reach = abs(ray.p) > abs(ray.q) ? abs(ray.p) : abs(ray.q);
+        family->reach = reach > family->reach ? reach : family->reach;
+        const bool cut = ray.broken && ray.broken_at == 0;
+        family->cut += cut;
+        family->broken += ray.broken && !cut;
+        if (ray.broken && !cut && (family->last < 0 || ray.broken_at > family->rays[family->last].broken_at))
+            family->last = k;
+        if (!ray.broken && (family->most < 0 || ray.stretch > family->rays[family->most].stretch))
+            family->most = k;
+    }
+    return family->reach <= AROUND_MAX;
+}
+
+static double critical_stretch(const Family *family)
+{
+    return settings_bonds(family->settings)->critical_stretch;
+}
+
+/* --- the family around it ---------------------------------------------------------------------------- */
+
+/* The factor that makes stretches numbers of two or three digits: in percent of s0, or of a power of ten. */
+static double scale_of(const Family *family, char *meaning, size_t size)
+{
+    double most = 0;
+    for (int k = 0; k < family->count; k++)
+        most = fmax(most, family->rays[k].broken ? 0 : fabs(family->rays[k].stretch));
+    if (critical_stretch(family) > 0) {
+        snprintf(meaning, size, "%% of s0");
+        return 100 / critical_stretch(family);
+    }
+    const int exponent = most > 0 ? (int)floor(math_log10(most)) - 1 : 0;
+    snprintf(meaning, size, "s x10^%d", exponent);
+    return math_pow(10, -exponent);
+}
+
+static void describe_around(const Family *family, PictureAround *around)
+{
+    const int reach = around->reach = family->reach;
+    const double scale = scale_of(family, around->meaning, sizeof around->meaning);
+    const double farthest = lattice_reach(family->settings) / family->body.spacing;
+    const struct AroundPlace none = {.sign = 0x00b7, .style = STYLE_FAINT, .thing.set = -1};
+    /* who is missing: beyond a surface there is no node */
+    for (int q = -reach; q <= reach; q++)
+        for (int p = -reach; p <= reach; p++) {
+            const bool inside = family->i + p >= 0 && family->i + p < family->body.nx && family->j + q >= 0 &&
+                                family->j + q < family->body.ny;
+            around->places[reach + q][reach + p] = none;
+            around->places[reach + q][reach + p].is_there = !inside && math_hypot(p, q) <= farthest;
+        }
+    for (int k = 0; k < family->count; k++) {
+        const Ray *ray = &family->rays[k];
+        around->places[reach + ray->q][reach + ray->p] =
+            (struct AroundPlace){.is_there = true,
+                                 .value = ray->stretch * scale,
+                                 .sign = !ray->broken          ? 0
+                                         : ray->broken_at == 0 ? '|'
+                                                               : 'x',
+                                 .style = ray->broken         ? STYLE_WARNING
+                                          : k == family->most ? STYLE_CHANGED
+                                                              : STYLE_NORMAL,
+                                 .thing = {0, ray->other}};
+    }
+    around->places[reach][reach] = (struct AroundPlace){
+        .is_there = true, .sign = 0x25a0, .style = STYLE_SECOND, .thing = {0, family->node}};
+    text_append(around->meaning, sizeof around->meaning, "%s",
+                family->broken + family->cut ? "  x broken  | notch" : "");
+}
+
+/* --- single bonds ----------------------------------------------------------------------------------- */
+
+/* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
+static void note_stretch(const Family *family, const Ray *ray, Picture *picture)
+{
+    const double s0 = critical_stretch(family);
+    char text[96];
+    snprintf(text, sizeof text, "s = %s", text_fitted(ray->stretch, 4, 12).text);
+    if (s0 > 0)
+        text_append(text, sizeof text, " = %s %% of s0 = %s", text_fitted(100 * ray->stretch / s0, 4, 8).text,
+                    text_fitted(s0, 4, 12).text);
+    picture_note(picture, STYLE_CHANGED, "%s", text);
+}
+
+/* The bond that broke last, with both ends; in the step in which it did with the stretch that broke it. Enter
+ * goes there. */
+static void note_last(const Family *family, Picture *picture)
+{
+    if (family->last < 0)
+        return;
+    const Ray *ray = &family->rays[family->last];
+    const bool now = ray->broken_at == family->sim->step + (family->sim->stage > 0);
+    picture_note(picture, STYLE_WARNING,
+                 now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld", family->node,
+                 ray->other, ray->broken_at);
+    picture->step = ray->broken_at;
+    if (now)
+        note_stretch(family, ray, picture);
+}
+
+static const char *why_it_holds(const Family *family, const Ray *ray)
+{
+    const double s0 = critical_stretch(family);
+    if (s0 <= 0)
+        return "holds: bonds never break here (s0 = 0)";
+    if (ray->stretch < s0)
+        return "holds: below s0";
+    if (simulation_named(family->sim, 0, "protected", family->node) > 0 ||
+        simulation_named(family->sim, 0, "protected", ray->other) > 0)
+        return "holds: protected, near load or support";
+    return "breaks in the next stage of bond forces";
+}
+
+/* The most stretched bond that is whole. */
+static void note_most(const Family *family, Picture *picture)
+{
+    if (family->most < 0) {
+        picture_note(picture, STYLE_WARNING, "no bond of it is whole");
+        return;
+    }
+    const Ray *ray = &family->rays[family->most];
+    picture_note(picture, STYLE_HEADING, "most stretched: to node %zu", ray->other);
+    note_stretch(family, ray, picture);
+    picture_note(picture, STYLE_NORMAL, "%s", why_it_holds(family, ray));
+}
+
+/* --- the forces --------------------------------------------------------------------------------------- */
+
+/* The load on the node at the time to which its force belongs, N/m^3. */
+static double load_on(const Family *family)
+{
+    const Settings *settings = family->settings;
+    const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
+    const double share =
+        settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
+    return simulation_named(family->sim, 0, "loaded", family->node) > 0
+               ? -settings_loads(settings)->stress * share / family->body.spacing
+               : 0;
+}
+
+/* What the force of the node is made of, as far as this step has come. */
+static void describe_forces(const Family *family, PictureTable *table)
+{
+    static const char *const sides[] = {"bonds to the left", "bonds up and down", "bonds to the right"};
+    static const char *const names[] = {"fx", "fy"};
+    const Simulation *sim = family->sim;
+    const int bonds = simulation_find_stage(sim, "bonds"), load = simulation_find_stage(sim, "body-force");
+    const int drift = simulation_find_stage(sim, "drift");
+    const bool is_old = sim->stage > drift && sim->stage <= bonds; /* the force is still the last step's */
+    const bool just_bonds = sim->stage == bonds + 1, just_load = sim->stage == load + 1;
+    const double loads[] = {0, load_on(family)};
+    table->what = "forces on it, N/m³";
+    table->count = sizeof sides / sizeof *sides;
+    table->n_columns = 2;
+    for (size_t i = 0; i < table->count; i++)
+        snprintf(table->rows[i].name, sizeof table->rows[i].name, "%s", sides[i]);
+    for (int d = 0; d < 2; d++) {
+        TableColumn *column = &table->columns[d];
+        *column = (TableColumn){.adds = true};
+        snprintf(column->name, sizeof column->name, "%s", names[d]);
+        for (int k = 0; k < family->count; k++) {
+            const Ray *ray = &family->rays[k];
+            column->values[1 + (ray->p > 0) - (ray->p < 0)] += ray->pull * ray->direction[d];
+        }
+        column->base = is_old || just_bonds ? NAN : loads[d];
+        column->result = simulation_named(family->sim, 0, names[d], family->node);
+    }
+    const Style plain = STYLE_HEADING, changed = STYLE_CHANGED;
+    table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", just_bonds ? changed : plain};
+    table->totals[TOTAL_BASE] = (struct TableTotals){is_old || just_bonds ? NULL : "load on the node",
+                                                     just_load ? changed : STYLE_NORMAL};
+    table->totals[TOTAL_RESULT] = (struct TableTotals){is_old       ? "f, of the last step"
+                                                       : just_bonds ? "f, without the load"
+                                                                    : "f of the node",
+                                                       just_bonds || just_load ? changed : plain};
+}
+
+/* --- the whole ---------------------------------------------------------------------------------------- */
+
+static void describe_subject(const Family *family, Picture *picture)
+{
+    char lost[64] = "";
+    const Body *body = &family->body;
+    /* the notch's bonds were cut before the run, the others broke in it */
+    if (family->cut)
+        text_append(lost, sizeof lost, ", %d cut by the notch", family->cut);
+    if (family->broken)
+        text_append(lost, sizeof lost, ", %d broken", family->broken);
+    picture_heading(picture, "node %zu at %.6g, %.6g mm: %d bonds%s", family->node,
+                    1e3 * (body->first[0] + family->i * body->spacing),
+                    1e3 * (body->first[1] + family->j * body->spacing), family->count, lost);
+    snprintf(picture->brief, sizeof picture->brief, "node %zu: %d bonds%s", family->node, family->count,
+             lost);
+    if (family->last >= 0)
+        snprintf(picture->hints[0], sizeof picture->hints[0],
+                 " ← → ↑ ↓ next node  Enter last break  i closes ");
+    snprintf(picture->hints[1], sizeof picture->hints[1], " ← → ↑ ↓ next node  i closes ");
+    picture->tables_first = family->screen->panes.zoomed;
+    snprintf(picture->turn_hint, sizeof picture->turn_hint,
+             picture->tables_first ? " z family " : " z forces ");
+}
+
+static void family_describe(const Screen *screen, Picture *picture)
+{
+    Family family;
+    picture->kind = PICTURE_TABLES;
+    if (!family_of(&family, screen)) {
+        picture_heading(picture, "no family to be drawn");
+        return;
+    }
+    const Simulation *sim = family.sim;
+    describe_subject(&family, picture);
+    note_last(&family, picture);
+    note_most(&family, picture);
+    PictureAround *around = picture_around(picture);
+    if (around)
+        describe_around(&family, around);
+    PictureTable *forces = picture_table(picture);
+    if (forces)
+        describe_forces(&family, forces);
+    picture_note(picture, STYLE_FAINT, "next: %s",
+                 sim->stages[sim->stage < sim->n_stages ? sim->stage : 0].name)
+        ->spare = true;
+}
+
+/* Bonds are asked for by the thousand: there are more of them than one would keep. */
+long inspector_broken_node(const Screen *screen, long step)
+{
+    enum { BONDS = 1, AT_ONCE = 4096 };
+    const Simulation *sim = screen_simulation(screen);
+    const int when = simulation_find_field(sim, BONDS, "broken_at"),
+              end = simulation_find_field(sim, BONDS, "i");
+    Body body;
+    double value[AT_ONCE];
+    if (!body_of(sim, &body) || when < 0 || end < 0)
+        return -1;
+    for (size_t first = 0; first < sim->counts[BONDS]; first += AT_ONCE) {
+        const size_t left = sim->counts[BONDS] - first, count = left < AT_ONCE ? left : AT_ONCE;
+        sim->method->field(sim, when, first, count, value);
+        for (size_t k = 0; k < count; k++)
+            if (value[k] == (double)step) {
+                sim->method->field(sim, end, first + k, 1, value);
+                return (long)value[0];
+            }
+    }
+    return -1;
+}
+
+static void family_move(Screen *screen, int x, int y, int page)
+{
+    Body body;
+    if (!body_of(screen_simulation(screen), &body))
+        return;
+    int i = (int)(screen->chosen.particle % (size_t)body.nx) + x * page,
+        j = (int)(screen->chosen.particle / (size_t)body.nx);
+    j -= y * page; /* row 0 lies below */
+    i = i < 0 ? 0 : i >= body.nx ? body.nx - 1 : i;
+    j = j < 0 ? 0 : j >= body.ny ? body.ny - 1 : j;
+    screen->chosen.particle = (size_t)j * (size_t)body.nx + (size_t)i;
+    screen->chosen.is_node = false;
+    screen->eye.centre[0] = (i + 0.5) / body.nx;
+    screen->eye.centre[1] = (j + 0.5) / body.ny;
+}
+
+const Inspector inspector_family = {
+    .needs = HAS_BONDS | HAS_PLANE, .describe = family_describe, .move = family_move};

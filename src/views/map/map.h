@@ -19,7 +19,7 @@ typedef struct Body {
     double low[2], size[2];
 } Body;
 
-/* What the nodes are coloured by: a row of the table in map_colour.c. */
+/* What the nodes are coloured by: a row of the table in map_drawing.c. */
 typedef struct Colouring {
     const char *field, *label, *meaning, *unit;
     bool is_signed;   /* zero in the middle of the ramp */
