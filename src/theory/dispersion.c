@@ -18,11 +18,8 @@
  * Omega = acos(trace / (2 sqrt(determinant)))/dt, decay = -log(determinant)/(2 dt). */
 #include "base/assertion.h"
 #include "theory/elastic_bar.h"
-#include "theory/gsl_errors.h"
 #include "base/math/functions.h"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_min.h>
 #include <math.h>
 
 /* --- shape functions ------------------------------------------------------------------------------ */
@@ -189,9 +186,8 @@ typedef struct Endless {
     Rows rows;
 } Endless;
 
-static double limit_of_angle(double theta, void *context)
+static double limit_of_angle(double theta, const Endless *endless)
 {
-    const Endless *endless = context;
     const BarMesh *mesh = &endless->mesh;
     const Response r = response_of(mesh, &endless->rows, theta);
     const double drive =
@@ -199,42 +195,22 @@ static double limit_of_angle(double theta, void *context)
     return drive > 0 ? 2 * (1 + r.kept) / drive : INFINITY;
 }
 
-/* Brent's method from three angles of which the middle one is the lowest; that one where memory is short. */
-static double refined_minimum(Endless *endless, const double angles[3], const double values[3])
-{
-    double least = values[1];
-    gsl_function function = {limit_of_angle, endless};
-    gsl_errors_off();
-    gsl_min_fminimizer *search = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
-    if (search) {
-        int status = gsl_min_fminimizer_set_with_values(search, &function, angles[1], values[1], angles[0],
-                                                        values[0], angles[2], values[2]);
-        for (int i = 0; i < 60 && status == GSL_SUCCESS; i++)
-            status = gsl_min_fminimizer_iterate(search);
-        least = fmin(least, gsl_min_fminimizer_f_minimum(search));
-        gsl_min_fminimizer_free(search);
-    }
-    gsl_errors_on();
-    return least;
-}
-
 double dispersion_endless_courant(const BarMesh *mesh)
 {
-    /* a scan finds the worst angle, Brent's method its place */
+    /* a scan finds the worst angle, ever smaller steps to either side the minimum near it */
     enum { ANGLES = 1024 };
-    Endless copy = {*mesh, rows_of(mesh)};
-    int worst = ANGLES;
-    double least = limit_of_angle(M_PI, &copy);
+    Endless endless = {*mesh, rows_of(mesh)};
+    double worst = M_PI, least = limit_of_angle(M_PI, &endless);
     for (int i = 1; i < ANGLES; i++) {
-        double here = limit_of_angle(M_PI * i / ANGLES, &copy);
+        const double here = limit_of_angle(M_PI * i / ANGLES, &endless);
         if (here < least)
-            least = here, worst = i;
+            least = here, worst = M_PI * i / ANGLES;
     }
-    double low = M_PI * (worst - 1) / ANGLES, middle = M_PI * worst / ANGLES,
-           high = M_PI * (worst + 1) / ANGLES;
-    double before = limit_of_angle(low, &copy), after = limit_of_angle(high, &copy);
-    /* no interior minimum: the shortest wave is the worst. (low > 0 also keeps infinity away from Brent.) */
-    if (worst == ANGLES || worst == 1 || !(least < before && least < after))
-        return sqrt(least);
-    return sqrt(refined_minimum(&copy, (double[]){low, middle, high}, (double[]){before, least, after}));
+    for (double step = M_PI / (2 * ANGLES); worst < M_PI && step > 1e-9; step /= 2)
+        for (int side = -1; side <= 1; side += 2) {
+            const double here = limit_of_angle(worst + side * step, &endless);
+            if (here < least)
+                least = here, worst += side * step;
+        }
+    return sqrt(least);
 }

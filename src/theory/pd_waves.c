@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dispersion of bonds. On a line, with Cin(z) = int_0^z (1 - cos t)/t dt,
+/* Dispersion of bonds. On a line, y = k r, c = 2E/delta^2 or 6E/delta^2 (1 - r/delta),
  *
- *     constant  rho w^2 = (4E/delta^2) Cin(z)            conical  (12E/delta^2) (Cin(z) - 1 + sin z/z)
+ *     rho w^2 = int_0^delta 2 c(r) (1 - cos y)/r dr
  *
- * and in the plane, y = k r, c = 9E/(pi delta^3) or 36E/(pi delta^3) (1 - r/delta):
+ * and in the plane, c = 9E/(pi delta^3) or 36E/(pi delta^3) (1 - r/delta):
  *
  *     rho w_L^2 = int_0^delta c(r) (pi - 2 pi (J0(y) - J1(y)/y)) dr
  *     rho w_T^2 = int_0^delta c(r) (pi - 2 pi J1(y)/y) dr
  *
  * from the displacement's bond forces c (1 - cos k.xi) n n^T/|xi|, integrated over the directions of xi.
- * Short arguments go by the series of Cin, J0 and J1, in which nothing cancels. On a lattice the same sum:
+ * Short arguments go by the series of J0 and J1, in which nothing cancels. On a lattice the same sum:
  *
  *     rho w^2 = sum c(|xi|) w V/|xi| (n.e)^2 (1 - cos k.xi),   e along k or across it
  *
@@ -22,62 +22,13 @@
 
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>
-#include <gsl/gsl_sf_expint.h>
 #include <math.h>
 
-/* Cin(z) = sum_k -(-1)^k z^{2k}/(2k (2k)!) */
-static double cin(double z)
-{
-    if (z > 2)
-        return M_EULER + math_log(z) - gsl_sf_Ci(z);
-    double sum = 0, power = 1;
-    for (int k = 1; k <= 16; k++) {
-        power *= -z * z / ((2 * k - 1) * (2 * k));
-        sum -= power / (2 * k);
-    }
-    return sum;
-}
-
-double pd_waves_line(Influence shape, double z)
-{
-    ASSERT_REAL(z, >=, 0);
-    if (z < 1e-3) /* to the next power: 1e-14 */
-        return 1 - z * z / (shape == INFLUENCE_CONICAL ? 40 : 24);
-    if (shape == INFLUENCE_CONSTANT)
-        return 4 * cin(z) / (z * z);
-    /* 12 (Cin(z) - 1 + sin z/z)/z^2; by its series where the terms cancel */
-    if (z > 2)
-        return 12 * (cin(z) - 1 + math_sin(z) / z) / (z * z);
-    double sum = 0, power = 1;
-    for (int k = 1; k <= 16; k++) {
-        power *= -z * z / ((2 * k - 1) * (2 * k));
-        sum += power * (1.0 / (2 * k + 1) - 1.0 / (2 * k));
-    }
-    return 12 * sum / (z * z);
-}
-
-/* 1 - 2 (J0(y) - J1(y)/y), or 1 - 2 J1(y)/y: with J0 = sum (-1)^k (y/2)^{2k}/k!^2 and 2 J1/y the same over
- * k + 1. */
-static double of_ring(bool transverse, double y)
-{
-    if (y > 2)
-        return transverse ? 1 - 2 * gsl_sf_bessel_J1(y) / y
-                          : 1 - 2 * (gsl_sf_bessel_J0(y) - gsl_sf_bessel_J1(y) / y);
-    double sum = 0, power = 1;
-    for (int k = 1; k <= 16; k++) {
-        power *= -(y / 2) * (y / 2) / ((double)k * k);
-        sum -= power * (transverse ? 1.0 / (k + 1) : 2 - 1.0 / (k + 1));
-    }
-    return sum;
-}
-
-/* By Gauss' rule in pieces of a few radians: the integrand is smooth and oscillates with y. */
-double pd_waves_plane(Influence shape, bool transverse, double z)
+/* By Gauss' rule in pieces of a few radians: the integrand is smooth and oscillates with y = z s. The
+ * micromodulus is 1, or cone (1 - s); NAN: not enough memory. */
+static double over_horizon(Influence shape, double cone, double z, double (*of)(double y))
 {
     enum { POINTS = 24 };
-    const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
-    if (!(z > 0))
-        return z == 0 ? 1 : NAN;
     gsl_errors_off();
     gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(POINTS);
     gsl_errors_on();
@@ -90,10 +41,52 @@ double pd_waves_plane(Influence shape, bool transverse, double z)
             double s, weight;
             gsl_integration_glfixed_point((double)piece / pieces, (piece + 1.0) / pieces, i, &s, &weight,
                                           table);
-            sum += weight * (shape == INFLUENCE_CONICAL ? 36 * (1 - s) : 9) * of_ring(transverse, z * s);
+            sum += weight * (shape == INFLUENCE_CONICAL ? cone * (1 - s) : 1) * of(z * s);
         }
     gsl_integration_glfixed_table_free(table);
-    return sum / (longest * z * z);
+    return sum;
+}
+
+/* (1 - cos y)/y */
+static double of_pair(double y)
+{
+    const double s = math_sin(y / 2);
+    return 2 * s * s / y;
+}
+
+double pd_waves_line(Influence shape, double z)
+{
+    ASSERT_REAL(z, >=, 0);
+    return z == 0 ? 1 : 4 * over_horizon(shape, 3, z, of_pair) / z;
+}
+
+/* With J0 = sum (-1)^k (y/2)^{2k}/k!^2 and 2 J1/y the same over k + 1. */
+static double ring_series(bool transverse, double y)
+{
+    double sum = 0, power = 1;
+    for (int k = 1; k <= 16; k++) {
+        power *= -(y / 2) * (y / 2) / ((double)k * k);
+        sum -= power * (transverse ? 1.0 / (k + 1) : 2 - 1.0 / (k + 1));
+    }
+    return sum;
+}
+
+static double of_ring_along(double y)
+{
+    return y > 2 ? 1 - 2 * (gsl_sf_bessel_J0(y) - gsl_sf_bessel_J1(y) / y) : ring_series(false, y);
+}
+
+static double of_ring_across(double y)
+{
+    return y > 2 ? 1 - 2 * gsl_sf_bessel_J1(y) / y : ring_series(true, y);
+}
+
+double pd_waves_plane(Influence shape, bool transverse, double z)
+{
+    const double longest = transverse ? 3.0 / 8 : 9.0 / 8;
+    if (!(z > 0))
+        return z == 0 ? 1 : NAN;
+    return 9 * over_horizon(shape, 4, z, transverse ? of_ring_across : of_ring_along) / (longest * z * z);
 }
 
 /* How the nodes of a lattice represent volume, lengths in spacings, m the horizon: whole, |xi| <= m; by the

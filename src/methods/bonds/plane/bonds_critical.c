@@ -16,6 +16,7 @@
  * The kernels serve as the operator: at displacements of 1e-9 spacings they are linear to 1e-9. */
 #include "methods/bonds/plane/bonds_internal.h"
 
+#include "base/linear.h"
 #include "base/math/functions.h"
 
 #include <math.h>
@@ -49,27 +50,11 @@ static double dot(const Beam *beam, const double *a, const double *b)
     return beam->kernels->dot(a, b, 2 * beam->array);
 }
 
-/* The largest eigenvalue of the symmetric tridiagonal matrix T by bisection between 0 and Gershgorin's bound:
- * T - value has a positive pivot, p_k = a_k - value - b_{k-1}^2/p_{k-1}, if and only if an eigenvalue lies
- * above (Sylvester). */
-static double largest(const double *diagonal, const double *beside, int n)
+/* The largest eigenvalue of the tridiagonal matrix that has been made so far. */
+static double largest(const double *rows, int n)
 {
-    double high = 0;
-    for (int k = 0; k < n; k++) {
-        double reach = fabs(diagonal[k]) + (k > 0 ? beside[k - 1] : 0) + (k + 1 < n ? beside[k] : 0);
-        high = fmax(high, reach);
-    }
-    double low = 0;
-    for (int round = 0; round < 100; round++) {
-        double middle = (low + high) / 2, pivot = 1;
-        bool above = false;
-        for (int k = 0; k < n && !above; k++) {
-            pivot = diagonal[k] - middle - (k > 0 ? beside[k - 1] * beside[k - 1] / pivot : 0);
-            above = pivot >= 0;
-        }
-        *(above ? &low : &high) = middle;
-    }
-    return high;
+    const Band band = {(size_t)n, 1, rows};
+    return band_eigenvalue(&band, (size_t)n - 1, &(Cancel){0}); /* small */
 }
 
 /* omega_max^2 in 1/s^2; -1: interrupted by BeamDef.cancel, or not converged. A = K/rho: a displacement tiny
@@ -80,7 +65,7 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
 {
     const size_t count = 2 * beam->array;
     const double tiny = 1e-9 * beam->lattice.spacing;
-    double diagonal[STEPS_MAX], beside[STEPS_MAX], value = 0;
+    double rows[2 * STEPS_MAX], value = 0;           /* of the band: alpha_k, beta_{k-1} */
     double *u = beam->nodes.ux, *f = beam->nodes.fx; /* uy and fy follow */
 
     fill(beam, v, v + beam->array);
@@ -104,21 +89,22 @@ static double iterate(Beam *beam, double *v, double *previous, Status *status)
             f[i] = f[i] / (-tiny * beam->def.density) - last_beside * previous[i];
         if (!beam_go_on(beam, share, status))
             return -1;
-        diagonal[k] = dot(beam, f, v);
+        rows[2 * k] = dot(beam, f, v);
+        rows[2 * k + 1] = last_beside;
         for (size_t i = 0; i < count; i++) {
             previous[i] = v[i];
-            f[i] -= diagonal[k] * v[i];
+            f[i] -= rows[2 * k] * v[i];
         }
         if (!beam_go_on(beam, share, status))
             return -1;
-        beside[k] = last_beside = sqrt(dot(beam, f, f));
+        last_beside = sqrt(dot(beam, f, f));
         if (last_beside == 0)
-            return largest(diagonal, beside, k + 1);
+            return largest(rows, k + 1);
         for (size_t i = 0; i < count; i++)
             v[i] = f[i] / last_beside;
         if (k >= STEPS_MIN && k % CHECK_EVERY == 0) {
             double before = value;
-            value = largest(diagonal, beside, k + 1);
+            value = largest(rows, k + 1);
             if (value - before < 1e-7 * value)
                 return value;
         }
