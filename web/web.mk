@@ -123,8 +123,9 @@ link = $(level) -sASYNCIFY -sASYNCIFY_IMPORTS=web_wait -sASYNCIFY_STACK_SIZE=262
 	-sINITIAL_MEMORY=33554432 -sTOTAL_STACK=4194304 -sMODULARIZE -sEXPORT_NAME=createMatvib -sENVIRONMENT=worker,node \
 	-sEXIT_RUNTIME -sFORCE_FILESYSTEM -sEXPORTED_RUNTIME_METHODS=FS,ENV -sDYNAMIC_EXECUTION=0 \
 	--js-library $(abspath $(web)/library.js)
-$(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) $(web)/web.mk | $(try)
-	$(call say,40)
+libraries = $(ncurses) $(gsl) $(utf8proc)
+# beside that of ncurses: each tries one thing after the other
+$(work)/program/Makefile: $(web_source)/configure $(web_source)/Makefile.in $(web)/web.mk | $(try)
 	@mkdir -p $(@D)
 	@cd $(@D) && emconfigure $(abspath $(web_source))/configure --quiet --host=wasm32-unknown-emscripten --build=$(web_build) \
 		--without-cairo --without-gif CC=$(try) CFLAGS=-O2 LDFLAGS= PKG_CONFIG=false \
@@ -134,8 +135,8 @@ $(work)/program/Makefile: $(web_source)/configure $(ncurses) $(gsl) $(utf8proc) 
 # its own makefile knows what is out of date
 build_program = $(MAKE) -s -C $(work)/program EXEEXT=.js CC='$(compiler)' CCLD=emcc matvib.js LDFLAGS='$(link)'
 .PHONY: program
-program: $(work)/program/Makefile
-	@[ "$$(cat $(work)/level 2>/dev/null)" = $(level) ] || { rm -f $(program) && echo $(level) >$(work)/level; }
+program: $(work)/program/Makefile $(libraries)
+	@[ "$$(cat $(work)/level 2>/dev/null)$$(find $(libraries) -newer $(program) 2>&1)" = $(level) ] || { rm -f $(program) && echo $(level) >$(work)/level; }
 	+@$(call counted,45,90,$$($(build_program) --dry-run 2>/dev/null | grep -c 'echo "  CC  '),$(build_program))
 	$(call say,99)
 $(program): program
