@@ -25,6 +25,8 @@ typedef struct Walk {
     size_t departing;                   /* entries that depart (to_end) */
     double worst;                       /* largest difference of those that agree, over their column's size */
     double farthest;                    /* likewise of all (to_end) */
+    double most[DIAGNOSE_COLUMNS_MAX];  /* of each column the largest number, */
+    double off[DIAGNOSE_COLUMNS_MAX];   /* and the largest difference beyond the digits written */
     bool departs[DIAGNOSE_COLUMNS_MAX]; /* columns that depart anywhere (to_end) */
     Departure departure;                /* the first */
     bool failed, stopped;               /* the run failed; somebody gave up, or there was no memory */

@@ -98,6 +98,7 @@ typedef struct Source {
     double factor;
     size_t agreed, telling; /* entries; of them those that are no round-off */
     bool over, first;       /* it departs; its first entry agrees and tells something */
+    double off;             /* its largest difference beyond the digits written, over its size */
 } Source;
 
 typedef struct Sources {
@@ -119,7 +120,7 @@ static bool add_source(Sources *sources, int series, int field, size_t thing, do
             sources->room = room;
         }
         const double factor = i < 4 ? signs_and_units[i] : 1 / mass;
-        sources->all[sources->count++] = (Source){series, field, thing, factor, 0, 0, false, false};
+        sources->all[sources->count++] = (Source){series, field, thing, factor, 0, 0, false, false, 0};
     }
     return true;
 }
@@ -209,6 +210,7 @@ enum {
     OTHERS_ROWS_LEAST = 5
 };
 #define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
+#define FINE      1e-9 /* or, where its numbers are finer, by as much as that of a scheme from another's */
 
 typedef struct Trial {
     DiagnoseReading reading;
@@ -217,6 +219,7 @@ typedef struct Trial {
     int firsts;      /* columns that agree in the first row */
     size_t agreed;   /* rows, the sum of all columns */
     bool throughout; /* all of them to the end */
+    double off;      /* by so much at most, as a share of a column's size */
 } Trial;
 
 typedef struct TrialTimes {
@@ -232,6 +235,7 @@ typedef struct Trials {
     Sources sources[DIAGNOSE_COLUMNS_MAX];
     double *row, *field[FIELDS_MAX];
     bool nodes;                        /* a velocity is one of a node */
+    double fine;                       /* what agrees so well needs no other code */
     TrialTimes times[TRIAL_TIMES_MAX]; /* that were tried */
     int n_times;
     double doubt; /* of few digits: the step of the rows, with which no right code agrees, as one does with
@@ -268,8 +272,10 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
                     trials->most[source->series >= 0 ? sim->n_fields + source->series : source->field];
                 const double factor = source->factor * table->columns[c].factor;
                 const double theirs = written * factor;
-                source->over =
-                    !(fabs(theirs - ours) <= digit * fabs(factor) + TOLERANCE * fmax(size, fabs(theirs)));
+                const double beyond = fmax(0, fabs(theirs - ours) - digit * fabs(factor));
+                const double scale = fmax(size, fabs(theirs));
+                source->over = !(beyond <= TOLERANCE * scale);
+                source->off = scale > 0 ? fmax(source->off, beyond / scale) : source->off;
                 source->agreed += !source->over;
                 source->telling += !source->over && written != 0 && fabs(ours) > 1e3 * TOLERANCE * size;
                 source->first = source->first || (moment == 0 && source->telling > 0);
@@ -373,7 +379,10 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
         const Sources *sources = &trials->sources[c];
         const Source *best = NULL;
         for (size_t i = 0; i < sources->count; i++) /* zeros alone are of any that is held */
-            if (!best || (sources->all[i].telling > 0 && sources->all[i].agreed > best->agreed))
+            if (!best || (sources->all[i].telling > 0 &&
+                          (sources->all[i].agreed > best->agreed ||
+                           (sources->all[i].agreed == best->agreed && sources->all[i].off < trials->fine &&
+                            best->off > trials->fine))))
                 best = &sources->all[i];
         DiagnoseColumn *column = &trial->reading.columns[c];
         if (!best || !is_given(table, c))
@@ -383,6 +392,7 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
             continue;
         }
         trial->throughout = trial->throughout && !best->over && best->agreed > 0;
+        trial->off = fmax(trial->off, best->off);
         trial->denied = trial->denied || (table->moments[0].step == 0 && best->agreed == 0);
         trial->agreed += best->agreed;
         trial->firsts += best->first;
@@ -492,6 +502,15 @@ static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
     return reading;
 }
 
+/* Whether the row of step 0 is not the start. */
+static bool begins_later(const Trials *trials)
+{
+    for (int i = 0; i < trials->count; i++)
+        if (trials->all[i].plain && trials->all[i].reading.shift == 0)
+            return trials->all[i].denied;
+    return false;
+}
+
 /* One reading of the times with each shift and each order of the stages; *found: one agrees throughout. */
 static bool try_times(Trials *trials, double factor, double dt, bool plain, bool *found)
 {
@@ -506,8 +525,8 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
         const bool told = fabs(table->spacing - table->scenario_dt) <= /* rows of the scenario's own steps */
                           table->spacing_bound + DIAGNOSE_SAME_STEP * table->spacing;
         if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX &&
-            (plain || (times.shift == 0 && factor == trials->times[0].factor &&
-                       (!told || 10.5 * dt > table->spacing * factor))))
+            (plain || ((times.shift == 0 || (times.shift == 1 && begins_later(trials))) &&
+                       factor == trials->times[0].factor && (!told || 10.5 * dt > table->spacing * factor))))
             trials->times[trials->n_times++] = times;
         for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
             Settings settings = *right;
@@ -518,8 +537,8 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
             const int before = trials->count;
             if (!try_reading(trials, &reading, &settings, plain))
                 return false;
-            *found =
-                trials->count > before && trials->all[before].throughout && trials->all[before].agreed > 0;
+            *found = trials->count > before && trials->all[before].throughout &&
+                     trials->all[before].agreed > 0 && trials->all[before].off <= trials->fine;
         }
     }
     return true;
@@ -531,8 +550,10 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
     const int count = trials->count;
     if (!try_reading(trials, reading, settings, false))
         return false;
-    *found = trials->count > count && trials->all[count].agreed >= OTHERS_ROWS_LEAST;
-    trials->count = *found ? trials->count : count;
+    const Trial *trial = &trials->all[count];
+    const bool agrees = trials->count > count && trial->agreed >= OTHERS_ROWS_LEAST;
+    trials->count = agrees ? trials->count : count;
+    *found = agrees && trial->off <= trials->fine;
     return true;
 }
 
@@ -597,9 +618,9 @@ static bool try_all_times(Trials *trials, bool *found)
 {
     const DiagnoseTable *table = trials->search->table;
     const double dt = table->scenario_dt, share = table->spacing_bound / fmax(table->spacing, 1e-300);
-    const bool far = table->spacing > 99 * dt;
+    const bool far = table->spacing > 99 * dt, farther = table->spacing > 1e5 * dt;
     /* the unit in their head first, but for one that --map has given */
-    const double told = table->head_factor, first = told > 0 ? told : far ? 1e-3 : 1;
+    const double told = table->head_factor, first = told > 0 ? told : farther ? 1e-6 : far ? 1e-3 : 1;
     const double factors[] = {first, first == 1 ? 1e-3 : 1, first == 1e-6 ? 1e-3 : 1e-6};
     static const double steps[] = {2, 5, 0.5, 2.5, 4, 3, 8, 0.2, 0.1, 0.25, 9}; /* where no time tells it */
     static const int parts[] = {2, 3, 4, 5, 8, 10, 20, 25, 40, 50, 100};
@@ -686,9 +707,12 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
     for (int i = 0; i < trials->count; i++)
         if (trials->all[i].plain && trials->all[i].firsts > most)
             most = trials->all[i].firsts;
+    const Trial *nearest = NULL;
     for (int i = 0; i < trials->count; i++)
-        if (trials->all[i].throughout)
-            out[count = 0] = trials->all[i].reading, count = 1;
+        if (trials->all[i].throughout && (!nearest || trials->all[i].off < nearest->off))
+            nearest = &trials->all[i];
+    if (nearest)
+        out[count++] = nearest->reading;
     bool taken[TRIALS_MAX] = {false};
     while (count < READINGS_MAX) {
         int best = -1;
@@ -746,6 +770,9 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
     int count = 0;
     if (trials) {
         trials->search = search;
+        trials->fine = diagnose_digits_written(search->table) > 8 && !diagnose_is_single(search->table)
+                           ? FINE
+                           : TOLERANCE;
         const bool of_bar = !diagnose_is_of_plane(search->task->settings);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
@@ -754,13 +781,17 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
             trials->nodes = i % ways;
             if (round == 0)
                 sound = try_all_times(trials, &found);
-            else if (trials->doubt == 0 && (of_bar || (round < (deep ? 3 : 2) && is_of_point(trials))))
+            else if (trials->doubt == 0 &&
+                     (of_bar || round == 1 ||
+                      (round == 2 && deep && (trials->count == 0 || is_of_point(trials)))))
                 sound = try_codes(trials, round == 2, round == 3 ? 3 : 0,
-                                  !of_bar      ? 1
-                                  : round == 3 ? 4
-                                               : 3,
+                                  !of_bar && round == 2 ? 1
+                                  : round == 3          ? 4
+                                                        : 3,
                                   &found);
         }
+        for (int i = 0; i < trials->count; i++)
+            found = found || trials->all[i].throughout;
         count = !sound ? -1 : deep && !found ? 0 : choose(trials, out);
         for (int f = 0; f < FIELDS_MAX; f++)
             free(trials->field[f]);

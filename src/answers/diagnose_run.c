@@ -105,6 +105,9 @@ static void compare(Walker *walker, size_t row, int c, double ours)
         walk->grown ? walk->grown[walker->moment * (size_t)table->n_columns + (size_t)column->group] : 0;
     if (*size > 0)
         walk->farthest = fmax(walk->farthest, difference / *size);
+    const double digit = diagnose_last_digit(&table->file.columns[column->theirs], theirs / column->factor);
+    walk->most[c] = fmax(walk->most[c], fabs(theirs));
+    walk->off[c] = fmax(walk->off[c], difference - 0.51 * digit * fabs(column->factor));
     if (difference >
         grown + diagnose_bound(table, column, theirs, *size, table->moments[walker->moment].step))
         depart(walker, row, c, theirs, ours);

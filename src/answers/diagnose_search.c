@@ -168,6 +168,16 @@ static bool is_beyond_chance(const Search *search, const Candidate *candidate, c
     return walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
 }
 
+/* Whether numbers far below those of their unit agree by more than being as small. */
+static bool is_alike(const DiagnoseTable *table, const Walk *walk)
+{
+    const double share = 0.02;
+    bool alike = true;
+    for (int c = 0; c < table->n_columns; c++)
+        alike = alike && (walk->most[c] == 0 || walk->off[c] <= share * walk->most[c]);
+    return alike;
+}
+
 /* A code that agrees for a while and then by less and less: compared again with what round-off grows to in
  * it. False: it was given up. */
 static bool try_again(Search *search, const Candidate *candidate, const Settings *wrong, Walk *walk,
@@ -180,7 +190,8 @@ static bool try_again(Search *search, const Candidate *candidate, const Settings
         *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
         diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, NULL);
         stopped = walk->stopped;
-        *agrees = !stopped && !walk->departure.is && is_beyond_chance(search, candidate, walk);
+        *agrees = !stopped && !walk->departure.is && is_alike(search->table, walk) &&
+                  is_beyond_chance(search, candidate, walk);
         walk->grown = NULL;
     }
     free(grown);
@@ -206,10 +217,10 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
      * the right one does */
     const bool departs = search->walk.departure.is;
     const size_t shown = departs ? search->walk.departure.moment : 0;
-    *agrees =
-        !walk->departure.is && walk->entries > 0 &&
-        (departs ? walk->compared > shown && (!walk->failed || is_beyond_chance(search, candidate, walk))
-                 : walk->compared >= search->walk.compared);
+    *agrees = !walk->departure.is && walk->entries > 0 &&
+              (departs ? is_alike(search->table, walk) && walk->compared > shown &&
+                             (!walk->failed || is_beyond_chance(search, candidate, walk))
+                       : walk->compared >= search->walk.compared);
     return *agrees || !departs || candidate->kind == DIAGNOSE_VALUE ||
            !is_beyond_chance(search, candidate, walk) || try_again(search, candidate, wrong, walk, agrees);
 }
@@ -406,7 +417,8 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
             sound = try_listed(search, choices <= 1 ? MISTAKES_AND_VALUES : MISTAKES);
         }
         search->right = search->given;
-        sound = sound && (choices > 0 || try_values(search, false));
+        /* a value fits what a mistake of another scheme does */
+        sound = sound && (choices != (most < 1 ? most : 1) || try_values(search, false));
     }
     sound = sound && try_other_steppings(search);
     /* two mistakes, where no one thing explains the file */
@@ -646,7 +658,9 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
     bool sound = (search->values && readings) || status_fail(status, "out of memory");
     sound =
         sound && settings_refuse_mistake(&search->right, "a file is compared with the right code", status);
-    const int count = sound ? diagnose_readings(search, false, readings) : -1;
+    int count = sound ? diagnose_readings(search, false, readings) : -1;
+    if (count == 0 && diagnose_is_of_plane(&search->right)) /* no right code has such a first row */
+        count = diagnose_readings(search, true, readings);
     sound = sound &&
             (count > 0 ||
              status_refuse(

@@ -26,7 +26,7 @@ static const struct {
     const char *ours, *others;
 } synonyms[] = {
     {"step", "nstep n_step step_number timestep iteration iter it n schritt"},
-    {"time", "t ta zeit times t_n tn temps"},
+    {"time", "t ta zeit times t_n tn temps sim_time simulation_time elapsed_time"},
     {"stage", "stage_number"},
     {"stage_id", "stage_name"},
     {"particle", "particle_id particle_index pid point id index"},
@@ -164,13 +164,17 @@ static void find_kinds(const char *name, char *out, size_t size)
         out[0] = '\0';
 }
 
-/* A name without the unit behind it, "time (s)", "v [m/s]" and "t_ms", its words joined. */
+/* A name without the unit behind it, "time (s)", "v [m/s]", "t_ms" and "time in ms", its words joined. */
 static void clean_name(char name[OVERLAY_NAME_MAX])
 {
     static const char *const units[] = {"_mm_s", "_m_s", "_ms", "_us", "_sec", "_s", "_mm"};
     const size_t length = strcspn(name, "([");
+    const char *in = strstr(name, " in ");
+    in = in ? in : strstr(name, "_in_");
     if (length > 0)
         name[length] = '\0';
+    if (in)
+        name[in - name] = '\0';
     char *unit = strchr(name, '/'); /* t / s, t/ms */
     if (unit && unit > name && (strncmp(unit - 1, " / ", 3) == 0 || strlen(unit) <= 4))
         *unit = '\0';
@@ -207,6 +211,7 @@ static void clean_names(DiagnoseTable *table)
             continue;
         const char *unit = head + strlen(name);
         unit += strspn(unit, " ,_/([");
+        unit += strncmp(unit, "in", 2) == 0 && strchr(" _", unit[2]) ? 3 : 0;
         const size_t wide = strcspn(unit, ")] ");
         for (size_t i = 0; i < sizeof units / sizeof *units; i++)
             if (strlen(units[i].name) == wide && strncasecmp(unit, units[i].name, wide) == 0)

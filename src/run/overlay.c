@@ -100,6 +100,15 @@ static Got next_row(Reader *reader)
 
 /* --- cells ---------------------------------------------------------------------------------------- */
 
+/* Whether a cell ends here. A unit behind a blank belongs to its name: "time (ms) v". */
+static bool ends_cell(const Reader *reader, const char *at)
+{
+    if (reader->separator != ' ')
+        return *at == '\0' || *at == reader->separator;
+    const char unit = at[strspn(at, " \t")];
+    return *at == '\0' || (strchr(" \t", *at) && unit != '(' && unit != '[');
+}
+
 /* Cuts the line into cells, quotes undone; -1: it cannot be. */
 static int cut_cells(Reader *reader)
 {
@@ -126,7 +135,7 @@ static int cut_cells(Reader *reader)
                 return -1;
             }
         } else {
-            while (*from && *from != reader->separator && !(reader->separator == ' ' && *from == '\t'))
+            while (!ends_cell(reader, from))
                 *to++ = *from++;
             while (to > cell && strchr(blanks, to[-1]))
                 to--;
