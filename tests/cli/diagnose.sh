@@ -178,6 +178,11 @@ make pushing.csv mode5 --steps 50 --set mpm.algorithm=usl --set mpm.shape=gimp -
 awk -F, 'NR == 1 { print "t/ms,v_cm" } NR > 1 { print 1000 * $2 "," $3 }' right.csv >ms.csv
 expect "a head with its unit behind a stroke" 0 mode5 ms.csv
 result "is read" says out '^Read as: v_cm; times in ms; dt 0\.01$'
+for head in "sim time (ms),v_cm" "time in ms,v_cm" "time (ms) v_cm"; do
+	awk -F, -v head="$head" -v comma="$(echo "$head" | tr -cd ,)" 'NR == 1 { print head } NR > 1 { print 1000 * $2 (comma ? "," : " ") $3 }' right.csv >ms.csv
+	expect "the head $head" 0 mode5 ms.csv
+	result "has a unit" says out '^Read as: v_cm; times in ms; dt 0\.01$'
+done
 expect "a mistake in another scheme" 1 mode5 pushing.csv
 result "is named with its scheme" says out '^Mistake: force_sign (USL, gimp)\.$'
 small="--set beam.length=0.02 --set beam.height=0.002 --set pd.spacing=0.0005 --set pd.horizon=0.0015 --set time.step=5e-8"
