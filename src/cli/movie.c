@@ -6,7 +6,6 @@
 #include "cli/common.h"
 #include "base/input.h"
 #include "base/output.h"
-#include "base/text.h"
 #include "base/visible.h"
 #include "lab/session/laboratory_main.h"
 #include "lab/session/script.h"
@@ -16,7 +15,6 @@
 #include "film/film.h"
 
 #include <errno.h>
-#include <math.h>
 #include <string.h>
 
 enum { SOURCE_BYTES_MAX = 200000000, LINE_BYTES_MAX = 4096, TITLE_BYTES = 256 };

@@ -7,7 +7,6 @@
 #include "cli/common.h"
 #include "base/math/functions.h"
 #include "base/output.h"
-#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

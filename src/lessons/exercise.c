@@ -4,7 +4,6 @@
 
 #include "base/math/functions.h"
 #include "base/text.h"
-#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdio.h>
