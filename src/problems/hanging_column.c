@@ -33,7 +33,7 @@ static const HangingColumn *own_column(const References *refs)
     return refs->own;
 }
 
-ANSWER(exact_x_cm, bar_column_centre(own_column(refs)))
+ANSWER(exact_x_cm, hanging_column_centre(own_column(refs)))
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
@@ -53,7 +53,7 @@ static double profile(const References *refs, const char *field, double x, doubl
     (void)time;
     if (!(x >= 0 && x <= column->length))
         return NAN;
-    const double u = bar_column_displacement(column, x), stress = bar_column_stress(column, x);
+    const double u = hanging_column_displacement(column, x), stress = hanging_column_stress(column, x);
     const double strain = stress / column->youngs_modulus;
     return strcmp(field, "u") == 0         ? u
            : strcmp(field, "x") == 0       ? x + u
@@ -77,11 +77,11 @@ static int findings(const References *refs, const Simulation *sim, Finding *out)
     out[0] = (Finding){.name = "u_last",
                        .label = "last particle's u",
                        .measured = simulation_named(sim, 0, "u", last),
-                       .exact = bar_column_displacement(column, simulation_named(sim, 0, "x0", last))};
+                       .exact = hanging_column_displacement(column, simulation_named(sim, 0, "x0", last))};
     out[1] = (Finding){.name = "stress_first",
                        .label = "first particle's stress",
                        .measured = simulation_named(sim, 0, "stress", 0),
-                       .exact = bar_column_stress(column, simulation_named(sim, 0, "x0", 0))};
+                       .exact = hanging_column_stress(column, simulation_named(sim, 0, "x0", 0))};
     return 2;
 }
 
@@ -96,14 +96,15 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
                      sim ? sim->dt : bar_time_step(settings));
     derived_add(out, &n, "cells", "cells", "1", cells, true);
     derived_add(out, &n, "particles", "particles", "1", cells * count, true);
-    derived_add_answer(out, &n, REFERENCE_EXACT, "stress_support", "support bears", "force/area",
-                       bar_column_stress(&column, 0)); /* rho b L; the first particle stands a little below */
+    derived_add_answer(
+        out, &n, REFERENCE_EXACT, "stress_support", "support bears", "force/area",
+        hanging_column_stress(&column, 0)); /* rho b L; the first particle stands a little below */
     derived_add_answer(out, &n, REFERENCE_EXACT, "strain_largest", "largest strain", "1",
-                       bar_column_stress(&column, 0) / column.youngs_modulus);
+                       hanging_column_stress(&column, 0) / column.youngs_modulus);
     derived_add_answer(out, &n, REFERENCE_EXACT, "u_last", "last u, exact", "length",
-                       bar_column_displacement(&column, last));
+                       hanging_column_displacement(&column, last));
     derived_add_answer(out, &n, REFERENCE_EXACT, "u_last_linear", "  for small strain", "length",
-                       bar_column_linear(&column, last));
+                       hanging_column_linear(&column, last));
     return n;
 }
 

@@ -16,24 +16,24 @@ static double rate(const HangingColumn *column)
     return column->density * column->body_force / column->youngs_modulus;
 }
 
-double bar_column_stress(const HangingColumn *column, double x)
+double hanging_column_stress(const HangingColumn *column, double x)
 {
     return column->density * column->body_force * (column->length - x);
 }
 
 /* The difference of the exponentials without cancelling: e^{k (L - X)} (e^{kX} - 1). */
-double bar_column_displacement(const HangingColumn *column, double x)
+double hanging_column_displacement(const HangingColumn *column, double x)
 {
     const double k = rate(column);
     return k == 0 ? 0 : math_exp(k * (column->length - x)) * math_expm1(k * x) / k - x;
 }
 
-double bar_column_linear(const HangingColumn *column, double x)
+double hanging_column_linear(const HangingColumn *column, double x)
 {
     return rate(column) * x * (column->length - x / 2);
 }
 
-double bar_column_centre(const HangingColumn *column)
+double hanging_column_centre(const HangingColumn *column)
 {
     const double k = rate(column), kl = k * column->length;
     if (fabs(kl) < 1e-4) /* by its series, as the closed form cancels */

@@ -68,27 +68,28 @@ START_TEST(a_bar_hangs)
     } known[] = {{.1, .31509}, {.5, 1.62953}};
     for (int i = 0; i < 2; i++) {
         const HangingColumn column = {25, 100, 1, known[i].body_force};
-        ck_assert_double_eq_tol(bar_column_displacement(&column, 24.75), known[i].last, 5.1e-6);
+        ck_assert_double_eq_tol(hanging_column_displacement(&column, 24.75), known[i].last, 5.1e-6);
         double mean = 0;
         enum { PARTS = 4000 };
         for (int k = 0; k < PARTS; k++) {
             const double x = 25 * (k + 0.5) / PARTS, h = 1e-5;
-            const double stretch =
-                1 +
-                (bar_column_displacement(&column, x + h) - bar_column_displacement(&column, x - h)) / (2 * h);
-            ck_assert_double_eq_tol(bar_column_stress(&column, x), 100 * log(stretch), 1e-7);
-            ck_assert_double_eq_tol(bar_column_stress(&column, x), known[i].body_force * (25 - x), 1e-13);
-            mean += (x + bar_column_displacement(&column, x)) / PARTS;
+            const double stretch = 1 + (hanging_column_displacement(&column, x + h) -
+                                        hanging_column_displacement(&column, x - h)) /
+                                           (2 * h);
+            ck_assert_double_eq_tol(hanging_column_stress(&column, x), 100 * log(stretch), 1e-7);
+            ck_assert_double_eq_tol(hanging_column_stress(&column, x), known[i].body_force * (25 - x), 1e-13);
+            mean += (x + hanging_column_displacement(&column, x)) / PARTS;
         }
-        ck_assert_double_eq_tol(bar_column_centre(&column), mean, 1e-6);
+        ck_assert_double_eq_tol(hanging_column_centre(&column), mean, 1e-6);
     }
     const HangingColumn light = {25, 100, 1, 1e-4};
-    ck_assert_double_eq_tol(bar_column_linear(&light, 24.75), 1e-6 * 24.75 * (25 - 24.75 / 2), 1e-16);
-    ck_assert_double_eq_tol(bar_column_displacement(&light, 24.75), bar_column_linear(&light, 24.75), 1e-8);
-    ck_assert_double_eq_tol(bar_column_centre(&light), 12.5 + 1e-6 * 625 / 3, 1e-8);
+    ck_assert_double_eq_tol(hanging_column_linear(&light, 24.75), 1e-6 * 24.75 * (25 - 24.75 / 2), 1e-16);
+    ck_assert_double_eq_tol(hanging_column_displacement(&light, 24.75), hanging_column_linear(&light, 24.75),
+                            1e-8);
+    ck_assert_double_eq_tol(hanging_column_centre(&light), 12.5 + 1e-6 * 625 / 3, 1e-8);
     const HangingColumn none = {25, 100, 1, 0};
-    ck_assert_double_eq(bar_column_displacement(&none, 10), 0);
-    ck_assert_double_eq(bar_column_centre(&none), 12.5);
+    ck_assert_double_eq(hanging_column_displacement(&none, 10), 0);
+    ck_assert_double_eq(hanging_column_centre(&none), 12.5);
 }
 END_TEST
 
