@@ -98,7 +98,7 @@ function offer_copy() {
 			document.execCommand('copy');
 		}
 		leave();
-	}), ' ', word_button('leave it', leave));
+	}), ' ', word_button('cancel', leave));
 	element('selected').hidden = false;
 }
 

@@ -50,7 +50,7 @@ static const Offers ended_keys = {{KEY(RUN_PAUSE), KEY(EXPORT), KEY(STEP_BACK), 
 static const Offers computing_keys = {{AS(INTERRUPT, "stop here"), AS(CANCEL, "stop here")}};
 static const Offers help_keys = {
     {PAIR(LEFT, RIGHT, "page"), PAIR(UP, DOWN, "scroll"), AS(CANCEL, "back"), AS(FILTER, "search")}};
-static const Offers editing_keys = {{AS(ENTER, "take it"), AS(CANCEL, "leave it")}};
+static const Offers editing_keys = {{AS(ENTER, "apply"), AS(CANCEL, "cancel")}};
 static const Offers lesson_keys = {{PAIR(PAGE_UP, PAGE_DOWN, "page"), KEY(RUN_PAUSE), KEY(STEP_FORWARD),
                                     KEY(STAGE_FORWARD), AS(LESSONS, "close"), KEY(HELP), KEY(QUIT),
                                     KEY(SHEET), KEY(NEXT_PANE)}};

@@ -658,7 +658,7 @@ async function selecting() {
 	await fingers([await place(column + 1, row)], [await place(column + 7, row)], selected);
 	await becomes('and from there to where the finger goes', selection, (text) => text === 'cell siz');
 	await page.waitForFunction(() => !element('selected').hidden).catch(() => {});
-	result('which a button copies', /^copy leave it/.test(await text_of('#selected')) && await page.$eval('#selected', (part) => !part.hidden), await text_of('#selected'));
+	result('which a button copies', /^copy cancel/.test(await text_of('#selected')) && await page.$eval('#selected', (part) => !part.hidden), await text_of('#selected'));
 	await page.evaluate(() => { window.copied = ''; navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
 	await page.click('#selected button');
 	await becomes('all of it', () => page.evaluate(() => window.copied), (text) => text === 'cell siz');
