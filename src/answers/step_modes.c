@@ -292,6 +292,12 @@ static double growth(const Part *part)
     return gsl_complex_abs(gsl_complex_add_real(part->mu, 1)) - 1;
 }
 
+/* With a real lambda below 0 it changes its sign in each step. */
+static bool flips(const Part *part)
+{
+    return GSL_IMAG(part->mu) == 0 && GSL_REAL(part->mu) < -1;
+}
+
 /* Until the space is closed, the mode has settled, or the bound is reached. */
 static bool explore(Space *space, StepModes *modes, bool whole, Cancel cancel)
 {
@@ -397,12 +403,27 @@ static double decay_of(const StepModes *modes, const Part *part)
     return -math_log1p(2 * re + re * re + im * im) / (2 * modes->dt);
 }
 
+/* Beyond its limit a mode without damping has two real eigenvalues below 0, lambda and 1/lambda, and each has
+ * its part in the start: the one that decays tells nothing of a run that the other takes over. */
+static bool partner_grows(const StepModes *modes, const Part *part)
+{
+    if (!flips(part))
+        return false;
+    for (int k = 0; k < modes->count; k++) {
+        const Part *other = &modes->parts[k];
+        if (flips(other) && growth(other) >= grows && other->share > part->share / 10)
+            return true;
+    }
+    return false;
+}
+
 StepMode step_modes_largest(const StepModes *modes)
 {
     if (modes->largest < 0)
         return (StepMode){.frequency = NAN, .decay = NAN, .overlap = NAN};
     const Part *part = &modes->parts[modes->largest];
-    return (StepMode){.known = part->residual < converged && growth(part) < grows,
+    return (StepMode){.known =
+                          part->residual < converged && growth(part) < grows && !partner_grows(modes, part),
                       .frequency = fabs(math_atan2(GSL_IMAG(part->mu), 1 + GSL_REAL(part->mu))) / modes->dt,
                       .decay = decay_of(modes, part),
                       .overlap = modes->overlap};

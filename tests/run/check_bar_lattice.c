@@ -262,6 +262,9 @@ START_TEST(large_or_unstable)
     ck_assert_double_eq_tol(frequency(&bar, &on),
                             in_steps(bonds_line_wave(&on, bar_wave_number(&bar, 1)), on.dt), 1e-6);
     bar.right_fixed = true;
+    on.dt = 0.09; /* lambda and 1/lambda of the mode, of which one decays */
+    bar.modes[0].number = 20;
+    ck_assert(isnan(frequency(&bar, &on)));
     on.dt = 1;
     bar.modes[0].number = 100;
     modes = motion(&bar, &on, true);
