@@ -169,12 +169,12 @@ static void clean_name(char name[OVERLAY_NAME_MAX])
 {
     static const char *const units[] = {"_mm_s", "_m_s", "_ms", "_us", "_sec", "_s", "_mm"};
     const size_t length = strcspn(name, "([");
-    const char *in = strstr(name, " in ");
+    char *in = strstr(name, " in ");
     in = in ? in : strstr(name, "_in_");
     if (length > 0)
         name[length] = '\0';
-    if (in)
-        name[in - name] = '\0';
+    if (in && in > name)
+        *in = '\0';
     char *unit = strchr(name, '/'); /* t / s, t/ms */
     if (unit && unit > name && (strncmp(unit - 1, " / ", 3) == 0 || strlen(unit) <= 4))
         *unit = '\0';
@@ -211,7 +211,7 @@ static void clean_names(DiagnoseTable *table)
             continue;
         const char *unit = head + strlen(name);
         unit += strspn(unit, " ,_/([");
-        unit += strncmp(unit, "in", 2) == 0 && strchr(" _", unit[2]) ? 3 : 0;
+        unit += strncmp(unit, "in ", 3) == 0 || strncmp(unit, "in_", 3) == 0 ? 3 : 0;
         const size_t wide = strcspn(unit, ")] ");
         for (size_t i = 0; i < sizeof units / sizeof *units; i++)
             if (strlen(units[i].name) == wide && strncasecmp(unit, units[i].name, wide) == 0)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads --vary and --with into axes (sweep_plan.h), numbers their combinations like nested loops, and
- * makes the settings and the command line of each. */
+ * makes the settings and the command line of each; and the row of results that each one's run gives. */
 #include "cli/sweep/sweep_plan.h"
 
 #include "scenario/rows/rows.h"
