@@ -417,7 +417,7 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
             sound = try_listed(search, choices <= 1 ? MISTAKES_AND_VALUES : MISTAKES);
         }
         search->right = search->given;
-        /* a value fits what a mistake of another scheme does */
+        /* after mistakes in other schemes, to whose numbers a value may fit */
         sound = sound && (choices != (most < 1 ? most : 1) || try_values(search, false));
     }
     sound = sound && try_other_steppings(search);

@@ -31,7 +31,7 @@
 typedef struct StepModes StepModes;
 
 typedef struct StepMode {
-    bool known; /* false: not converged, or it grows */
+    bool known; /* false: not converged, or it or its reciprocal grows */
     double frequency;
     double decay;   /* amplitude ~ exp(-decay t) */
     double overlap; /* of its momenta at the nodes with those of the start, weighed by 1/m: 0 to 1 */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Messages in the key line. They may hold names of files and scenarios: what would act on the terminal is
- * written out. And whether work goes on: whatever cannot be cut into frames needs both, and frames need that.
- */
+/* Messages in the key line, and whether work that is not cut into frames, which tells how far it is, goes on.
+ * A message may hold names of files and scenarios: what would act on the terminal is written out. */
 #include "lab/laboratory.h"
 
 #include "base/visible.h"

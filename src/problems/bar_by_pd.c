@@ -135,7 +135,6 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
-    enum { QUICKLY = 2000 }; /* nodes for which the eigenvalue is found in no time */
     const double dt = sim ? sim->dt : bar_time_step(settings), spacing = lattice_spacing(settings);
     const double nodes = round(settings_geometry(settings)->length / spacing);
     int n = 0;
@@ -144,7 +143,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
         return 0;
     const int before = shortage_begin();
     bar_derived_step(out, &n, bar_wave_speed(&theory), dt);
-    bar_derived_wave(out, &n, settings, &theory, nodes <= QUICKLY ? predicted_frequency : NULL, dt);
+    bar_derived_wave(out, &n, settings, &theory, predicted_frequency, dt);
     shortage_end(before);
     derived_add(out, &n, "particles", "particles", "1", nodes, true);
     derived_add(out, &n, "lattice_spacing", "spacing h", "length", spacing, false);

@@ -17,8 +17,7 @@
 
 #define PROGRESS_SECONDS 0.1 /* between pictures during work that is not cut into frames */
 
-/* Pictures of a run that goes on take at most one part of the time in so many, but there are five a second.
- */
+/* Pictures of a run take an eighth of the time at most; there are five a second at least. */
 #define PICTURE_SHARE 8
 #define REST_SECONDS  0.2
 
@@ -36,7 +35,7 @@ typedef struct Loop {
     double replayed_at; /* when its last key was done again */
     bool told;          /* something stands on the shell's last line that tell how far the opening has come */
     bool stale;         /* the picture shown is out of date */
-    bool moved;         /* because the run went on, and for nothing else */
+    bool moved;         /* the run went on since then */
     bool more_keys;     /* are answered before it sleeps */
     Settings told_settings; /* of which `address` tells */
     char *address;          /* of a page: the scenario, and what was changed of it */
@@ -249,7 +248,7 @@ static bool answer_keys(Loop *loop)
     return false;
 }
 
-/* A run that went on is drawn only when there was time enough for its steps since the last picture. */
+/* Whether the run had its share of the time since the last picture. */
 static bool has_rested(const Loop *loop)
 {
     double rest = PICTURE_SHARE * loop->draw_time;

@@ -415,7 +415,7 @@ static double front_number(const VerifyRun *run, FrontNumber which, double heigh
     }
 #include "cli/verify/verify_quantity_rows.inc"
 
-/* What a verification reads from bodies that begin with a velocity field which no scenario has. */
+/* --- bodies that begin with a velocity field which no scenario has ------------------------------------ */
 
 /* v = C x */
 static void affine(const double x[2], const void *context, double v[2], double gradient[4])
