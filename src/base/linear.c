@@ -13,6 +13,8 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static double entry(const Band *band, size_t i, size_t d)
 {
@@ -107,20 +109,16 @@ double band_eigenvalue(const Band *band, size_t number, const Cancel *cancel)
  * its rows at hand. */
 enum { LANES = 8, PRODUCTS_BETWEEN_QUESTIONS = 20000000, PRODUCTS_OF_SOLUTION = 2000000 };
 
-/* sum a_k b_k in LANES partial sums, so that the compiler may keep them in vectors of any width with the same
- * bits. */
-static double dot(const double *a, const double *b, size_t count)
+double linear_dot(const double *a, const double *b, size_t count)
 {
-    double sums[LANES] = {0}, sum = 0;
+    double sums[LANES] = {0};
     size_t k = 0;
     for (; k + LANES <= count; k += LANES)
         for (size_t lane = 0; lane < LANES; lane++)
             sums[lane] += a[k + lane] * b[k + lane];
-    for (; k < count; k++)
-        sum += a[k] * b[k];
-    for (size_t lane = 0; lane < LANES; lane++)
-        sum += sums[lane];
-    return sum;
+    for (size_t lane = 0; k + lane < count; lane++)
+        sums[lane] += a[k + lane] * b[k + lane];
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
 /* L(i,j) = (K(i,j) - sum_k<j L(i,k) L(j,k)) / L(j,j),  L(i,i)^2 = K(i,i) - sum_k<i L(i,k)^2,
@@ -135,9 +133,9 @@ CholeskyEnd cholesky_factor(Cholesky *band, const Cancel *cancel)
         for (size_t d = left; d >= 1; d--) {
             const size_t j = i - d;
             const double *other = band->rows + j * stride;
-            row[d] = (row[d] - dot(row + d + 1, other + 1, left - d)) / other[0];
+            row[d] = (row[d] - linear_dot(row + d + 1, other + 1, left - d)) / other[0];
         }
-        const double pivot = row[0] - dot(row + 1, row + 1, left);
+        const double pivot = row[0] - linear_dot(row + 1, row + 1, left);
         if (!(pivot > 1e-14 * row[0]))
             return CHOLESKY_SINGULAR;
         row[0] = sqrt(pivot);
@@ -175,5 +173,122 @@ bool cholesky_solve(const Cholesky *band, double *x, const Cancel *cancel)
         for (size_t d = 1; d <= left; d++)
             x[i - d] -= row[d] * x[i];
     }
+    return true;
+}
+
+void cholesky_multiply(const Cholesky *band, const double *x, double *y)
+{
+    memset(y, 0, band->size * sizeof *y);
+    for (size_t r = 0; r < band->size; r++) {
+        const double *row = band->rows + r * (band->width + 1);
+        const size_t most = band->width < r ? band->width : r;
+        y[r] += row[0] * x[r];
+        for (size_t d = 1; d <= most; d++) {
+            y[r] += row[d] * x[r - d];
+            y[r - d] += row[d] * x[r];
+        }
+    }
+}
+
+/* --- by products ---------------------------------------------------------------------------------- */
+
+/* out = A x; without a map x. */
+static bool product(const LinearMap *map, const double *x, double *out, size_t size)
+{
+    if (!map && out != x)
+        memcpy(out, x, size * sizeof *out);
+    if (!map || map->apply(map->context, x, out))
+        return true;
+    errno = ECANCELED;
+    return false;
+}
+
+static void divide(double *x, double divisor, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        x[i] /= divisor;
+}
+
+/* Of the tridiagonal matrix that has been made so far. */
+static double largest_of(const double *rows, size_t size)
+{
+    const Band band = {size, 1, rows};
+    return band_eigenvalue(&band, size - 1, &(Cancel){0}); /* small */
+}
+
+/* v is q_k, u = B q_k, the same memory where B is 1; w becomes A u less its parts along q_k and q_{k-1}, so
+ * that its length is beta_k. */
+static double iterate(size_t n, LinearMap A, const LinearMap *B, double settled, double *v, double *work)
+{
+    enum { STEPS_MAX = 1000, STEPS_MIN = 20, CHECK_EVERY = 5 };
+    double rows[2 * STEPS_MAX], beta = 0, value = 0; /* of the band: alpha_k, beta_{k-1} */
+    double *before = work, *w = work + n, *u = B ? work + 2 * n : v;
+    if (!product(B, v, u, n))
+        return NAN;
+    const double length = sqrt(linear_dot(v, u, n));
+    divide(v, length, n);
+    if (B)
+        divide(u, length, n);
+    for (size_t k = 0; k < STEPS_MAX; k++) {
+        if (!product(&A, u, w, n))
+            return NAN;
+        for (size_t i = 0; i < n; i++)
+            w[i] -= beta * before[i];
+        rows[2 * k] = linear_dot(w, u, n);
+        rows[2 * k + 1] = beta;
+        for (size_t i = 0; i < n; i++) {
+            before[i] = v[i];
+            w[i] -= rows[2 * k] * v[i];
+        }
+        memcpy(v, w, n * sizeof *v);
+        if (!product(B, v, u, n))
+            return NAN;
+        beta = sqrt(fmax(linear_dot(v, u, n), 0));
+        if (beta == 0)
+            return largest_of(rows, k + 1);
+        divide(v, beta, n);
+        if (B)
+            divide(u, beta, n);
+        if (k >= STEPS_MIN && k % CHECK_EVERY == 0) {
+            const double was = value;
+            value = largest_of(rows, k + 1);
+            if (value - was < settled * value)
+                return value;
+        }
+    }
+    errno = 0;
+    return NAN;
+}
+
+double linear_largest(size_t size, LinearMap A, const LinearMap *B, double settled, double *start)
+{
+    double *work = calloc(3 * size, sizeof *work);
+    const double value = work ? iterate(size, A, B, settled, start, work) : NAN;
+    if (!work)
+        errno = ENOMEM;
+    free(work);
+    return value;
+}
+
+bool linear_lowest(const Cholesky *K, const LinearMap *B, double *work, double *eigenvalue,
+                   const Cancel *cancel)
+{
+    enum { ITERATIONS_MAX = 300 };
+    const size_t n = K->size;
+    const double settled = 1e-8; /* where rounding keeps the last digits moving */
+    double *x = work, *y = x + n, *z = y + n, lambda = 0, change = INFINITY;
+    for (int k = 0; k < ITERATIONS_MAX && !(change < 1e-12); k++) {
+        const double before = lambda;
+        divide(x, sqrt(linear_dot(x, x, n)), n);
+        if (!product(B, x, y, n))
+            return false;
+        memcpy(z, y, n * sizeof *z);
+        if (!cholesky_solve(K, z, cancel))
+            return false;
+        lambda = linear_dot(x, y, n) / linear_dot(z, y, n);
+        memcpy(x, z, n * sizeof *x);
+        change = fabs(lambda - before) / lambda;
+    }
+    *eigenvalue = change < settled ? lambda : NAN;
     return true;
 }

@@ -51,4 +51,37 @@ CholeskyEnd cholesky_factor(Cholesky *, const Cancel *);
 /* x <- K^-1 x, after cholesky_factor(). False: given up, and x is of no use. */
 bool cholesky_solve(const Cholesky *, double *x, const Cancel *);
 
+/* y = K x of a band that is not factored. */
+void cholesky_multiply(const Cholesky *, const double *x, double *y);
+
+/* Eigenvalues of matrices that are known by their products with vectors alone. */
+
+/* out = A x; false: given up. */
+typedef struct LinearMap {
+    bool (*apply)(void *context, const double *x, double *out);
+    void *context;
+} LinearMap;
+
+/* sum a_k b_k in eight partial sums, so that the compiler may keep them in vectors of any width with the same
+ * bits. */
+double linear_dot(const double *a, const double *b, size_t count);
+
+/* The largest eigenvalue of A B, A and B symmetric, B not negative (NULL: 1), by Lanczos' method in the
+ * product x'B y:
+ *
+ *     beta_k q_{k+1} = A B q_k - alpha_k q_k - beta_{k-1} q_{k-1},  alpha_k = q_k'B A B q_k,  q_k'B q_k = 1
+ *
+ * The largest eigenvalue of the tridiagonal matrix of alphas and betas converges to it from below, in far
+ * fewer products than power iteration needs; the q are not made orthogonal again: that only repeats
+ * eigenvalues that have converged. It stops when the value moves by less than a share of `settled` in five
+ * products. `start` has a part of every mode, and is used up. NAN: given up by a map (errno ECANCELED), no
+ * memory (ENOMEM), or not converged (0). Source: Parlett, chapter 13. */
+double linear_largest(size_t size, LinearMap A, const LinearMap *B, double settled, double *start);
+
+/* The lowest eigenvalue of K x = lambda B x by inverse iteration, x <- K^-1 B x, from Rayleigh quotients,
+ * which have the square of the vector's error; K is factored. work[0 .. size - 1] is the start and, in the
+ * end, the vector, of 3 size numbers. It never finds what the start has nothing of. NAN: not converged.
+ * False: given up. Source: Parlett, chapter 4. */
+bool linear_lowest(const Cholesky *K, const LinearMap *B, double *work, double *eigenvalue, const Cancel *);
+
 #endif

@@ -23,19 +23,18 @@
  *     W = (1 + G)^-1 S = ((1 + alpha) M_L + (1 - alpha) M_C)^-1 M_C M_L^-1,
  *
  * W and M_L^-1 - W symmetric and not negative, so that Lanczos' method in the product of K finds the largest
- * eigenvalue. Held components are left out throughout. Source for both iterations: B. N. Parlett, The
- * Symmetric Eigenvalue Problem (1998), chapters 4 and 13. */
+ * eigenvalue (base/linear.h has both iterations). Held components are left out throughout. */
 #include "methods/mpm/engine.h"
 #include "methods/mpm/plane.h"
 
 #include "base/linear.h"
 #include "base/math/functions.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { NUMBERS_MAX = 1 << 25, ITERATIONS_MAX = 60, LANCZOS_MAX = 400 };
+enum { NUMBERS_MAX = 1 << 25 };
 
 /* Unknown 2 (i rows + j) + component: nodes by columns. */
 typedef struct Lattice2 {
@@ -46,7 +45,8 @@ typedef struct Lattice2 {
     bool *held;
     double *lumped;
     Cholesky stiffness, mass; /* K and M_C; held unknowns stand alone */
-    double *work;             /* 5 vectors */
+    Cholesky blend;           /* (1 + alpha) M_L + (1 - alpha) M_C */
+    double *work;             /* 4 vectors */
 } Lattice2;
 
 static void release(Lattice2 *lattice)
@@ -55,6 +55,7 @@ static void release(Lattice2 *lattice)
     free(lattice->lumped);
     free(lattice->stiffness.rows);
     free(lattice->mass.rows);
+    free(lattice->blend.rows);
     free(lattice->work);
 }
 
@@ -151,40 +152,16 @@ static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *st
     *fits = 3 * (double)lattice->size * (double)(lattice->width + 1) <= NUMBERS_MAX;
     if (!*fits)
         return true;
-    lattice->stiffness = (Cholesky){lattice->size, lattice->width,
-                                    calloc(lattice->size * (lattice->width + 1), sizeof(double))};
-    lattice->mass = (Cholesky){lattice->size, lattice->width,
-                               calloc(lattice->size * (lattice->width + 1), sizeof(double))};
+    lattice->stiffness = lattice->mass = (Cholesky){.size = lattice->size, .width = lattice->width};
+    lattice->stiffness.rows = calloc(lattice->size * (lattice->width + 1), sizeof(double));
+    lattice->mass.rows = calloc(lattice->size * (lattice->width + 1), sizeof(double));
     lattice->held = calloc(lattice->size, sizeof *lattice->held);
     lattice->lumped = calloc(lattice->size, sizeof *lattice->lumped);
-    lattice->work = calloc(5 * lattice->size, sizeof *lattice->work);
+    lattice->work = calloc(4 * lattice->size, sizeof *lattice->work);
     if (!lattice->stiffness.rows || !lattice->mass.rows || !lattice->held || !lattice->lumped ||
         !lattice->work)
         return status_fail(status, "not enough memory for what the mesh predicts");
     return assemble(lattice) || given_up(status);
-}
-
-static double dot(const double *a, const double *b, size_t count)
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
-/* y = A x, A symmetric. */
-static void multiply(const Cholesky *band, const double *x, double *y)
-{
-    memset(y, 0, band->size * sizeof *y);
-    for (size_t r = 0; r < band->size; r++) {
-        const double *row = band->rows + r * (band->width + 1);
-        const size_t most = band->width < r ? band->width : r;
-        y[r] += row[0] * x[r];
-        for (size_t d = 1; d <= most; d++) {
-            y[r] += row[d] * x[r - d];
-            y[r - d] += row[d] * x[r];
-        }
-    }
 }
 
 static void clear_held(const Lattice2 *lattice, double *x)
@@ -203,42 +180,36 @@ static bool factor(Cholesky *band, const PlaneDef *def, bool *sound, Status *sta
 
 /* --- the period ----------------------------------------------------------------------------------- */
 
-/* The mode of the lowest vibration by x <- K^-1 M_L M_C^-1 M_L x, from half a wave: omega^2 of S K and w^2 =
- * x'Kx/x'M_L x, both 1/s^2, by Rayleigh quotients of the last vector; NAN: not converged. Both matrices are
- * factors. False: given up. */
+/* out = M_L M_C^-1 M_L x; M_C is factored. */
+static bool weigh(void *context, const double *x, double *out)
+{
+    const Lattice2 *lattice = context;
+    for (size_t u = 0; u < lattice->size; u++)
+        out[u] = lattice->lumped[u] * x[u];
+    if (!cholesky_solve(&lattice->mass, out, &lattice->model.plane.cancel))
+        return false;
+    for (size_t u = 0; u < lattice->size; u++)
+        out[u] *= lattice->lumped[u];
+    clear_held(lattice, out);
+    return true;
+}
+
+/* The mode of the lowest vibration from half a wave: omega^2 of S K and w^2 = x'Kx/x'M_L x, both 1/s^2; NAN:
+ * not converged. Both matrices are factors. False: given up. */
 static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Status *status)
 {
-    const Cancel *cancel = &lattice->model.plane.cancel;
+    const LinearMap map = {weigh, lattice};
     const size_t n = lattice->size;
-    double *x = lattice->work, *y = x + n, *z = y + n;
+    double *x = lattice->work, *y = x + n, lumped = 0;
     for (size_t u = 0; u < n; u++)
         x[u] = u % 2 ? math_sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
     clear_held(lattice, x);
-    const double settled = 1e-8; /* where rounding keeps the last digits moving */
-    double change = INFINITY;
-    *omega2 = 0;
-    for (int k = 0; k < ITERATIONS_MAX && !(change < 1e-13); k++) {
-        const double before = *omega2, length = sqrt(dot(x, x, n));
-        for (size_t u = 0; u < n; u++)
-            y[u] = lattice->lumped[u] * (x[u] /= length);
-        if (!cholesky_solve(&lattice->mass, y, cancel))
-            return given_up(status);
-        for (size_t u = 0; u < n; u++)
-            z[u] = y[u] *= lattice->lumped[u];
-        clear_held(lattice, y);
-        clear_held(lattice, z);
-        if (!cholesky_solve(&lattice->stiffness, z, cancel))
-            return given_up(status);
-        double lumped = 0;
-        for (size_t u = 0; u < n; u++)
-            lumped += lattice->lumped[u] * z[u] * z[u];
-        *omega2 = dot(x, y, n) / dot(z, y, n);
-        *lumped2 = dot(z, y, n) / lumped; /* z'K z = z'y */
-        memcpy(x, z, n * sizeof *x);
-        change = fabs(*omega2 - before) / *omega2;
-    }
-    if (!(change < settled))
-        *omega2 = NAN;
+    if (!linear_lowest(&lattice->stiffness, &map, x, omega2, &lattice->model.plane.cancel) ||
+        !weigh(lattice, x, y))
+        return given_up(status);
+    for (size_t u = 0; u < n; u++)
+        lumped += lattice->lumped[u] * x[u] * x[u];
+    *lumped2 = *omega2 * linear_dot(x, y, n) / lumped;
     return true;
 }
 
@@ -298,74 +269,42 @@ static double endless_limit(const PlaneDef *def)
     return sqrt(1 / most);
 }
 
-/* out = W x or (M_L^-1 - W) x; `blend` is the factor of (1 + alpha) M_L + (1 - alpha) M_C; x is used up. */
-static bool apply(const Lattice2 *lattice, const Cholesky *blend, double *x, double *out)
+/* out = W x or (M_L^-1 - W) x; the blend is factored. */
+static bool drive(void *context, const double *x, double *out)
 {
+    const Lattice2 *lattice = context;
     const size_t n = lattice->size;
+    double *over = lattice->work;
     for (size_t u = 0; u < n; u++)
-        x[u] = lattice->held[u] ? 0 : x[u] / lattice->lumped[u];
-    multiply(&lattice->mass, x, out);
-    if (!cholesky_solve(blend, out, &lattice->model.plane.cancel))
+        over[u] = lattice->held[u] ? 0 : x[u] / lattice->lumped[u];
+    cholesky_multiply(&lattice->mass, over, out);
+    if (!cholesky_solve(&lattice->blend, out, &lattice->model.plane.cancel))
         return false;
     for (size_t u = 0; u < n; u++)
-        out[u] = lattice->model.plane.algorithm == MPM_USL ? x[u] - out[u] : out[u];
+        out[u] = lattice->model.plane.algorithm == MPM_USL ? over[u] - out[u] : out[u];
     clear_held(lattice, out);
     return true;
 }
 
-/* The largest eigenvalue of the tridiagonal matrix that Lanczos' method has made so far. */
-static double largest(const double *rows, size_t size)
+static bool stiffen(void *context, const double *x, double *out)
 {
-    const Band band = {size, 1, rows};
-    return band_eigenvalue(&band, size - 1, &(Cancel){0}); /* small */
+    const Lattice2 *lattice = context;
+    cholesky_multiply(&lattice->stiffness, x, out);
+    return true;
 }
 
-/* Lanczos' method with products x'K y: v of length 1, u = K v, w the next. False: given up. */
-static bool largest_eigenvalue(Lattice2 *lattice, const Cholesky *blend, double *eigenvalue, bool *converged)
+/* Of W K, from any vector that has a part of every mode. */
+static double largest_eigenvalue(Lattice2 *lattice)
 {
-    const size_t n = lattice->size;
-    double *v = lattice->work, *before = v + n, *u = before + n, *w = u + n, *scratch = w + n;
-    static const double settled = 1e-5;
-    double rows[2 * LANCZOS_MAX], beta = 0;
-    uint32_t noise = 1; /* any vector that has a part of every mode */
-    for (size_t i = 0; i < n; i++) {
+    const LinearMap stiffness = {stiffen, lattice};
+    double *start = lattice->work + lattice->size;
+    uint32_t noise = 1;
+    for (size_t u = 0; u < lattice->size; u++) {
         noise = noise * 1664525u + 1013904223u;
-        v[i] = (double)noise / 4294967296.0 - 0.5;
-        before[i] = 0;
+        start[u] = (double)noise / 4294967296.0 - 0.5;
     }
-    clear_held(lattice, v);
-    multiply(&lattice->stiffness, v, u);
-    const double length = sqrt(dot(v, u, n));
-    for (size_t i = 0; i < n; i++)
-        v[i] /= length, u[i] /= length;
-    *eigenvalue = 0;
-    *converged = false;
-    for (size_t k = 0; k < LANCZOS_MAX; k++) {
-        memcpy(scratch, u, n * sizeof *u);
-        if (!apply(lattice, blend, scratch, w))
-            return false;
-        const double alpha = dot(w, u, n);
-        for (size_t i = 0; i < n; i++) {
-            w[i] -= alpha * v[i] + beta * before[i];
-            before[i] = v[i];
-        }
-        rows[2 * k] = alpha;
-        rows[2 * k + 1] = beta;
-        multiply(&lattice->stiffness, w, u);
-        beta = sqrt(fmax(dot(w, u, n), 0));
-        if (k % 8 == 7 || beta == 0) {
-            const double was = *eigenvalue;
-            *eigenvalue = largest(rows, k + 1);
-            *converged = beta == 0 || fabs(*eigenvalue - was) < settled * *eigenvalue;
-            if (*converged)
-                break;
-        }
-        for (size_t i = 0; i < n; i++) {
-            v[i] = w[i] / beta;
-            u[i] /= beta;
-        }
-    }
-    return true;
+    clear_held(lattice, start);
+    return linear_largest(lattice->size, (LinearMap){drive, lattice}, &stiffness, 1e-6, start);
 }
 
 /* The largest stable courant number of the undeformed beam, by its own matrices where they fit and the search
@@ -374,28 +313,29 @@ static bool largest_eigenvalue(Lattice2 *lattice, const Cholesky *blend, double 
 bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
 {
     Lattice2 lattice;
-    Cholesky blend = {0};
     bool fits, sound = false;
     *courant = 0.99 * endless_limit(def);
     bool good = build(&lattice, def, &fits, status);
     if (good && fits) {
         const size_t numbers = lattice.size * (lattice.width + 1);
-        blend = (Cholesky){lattice.size, lattice.width, malloc(numbers * sizeof(double))};
-        good = blend.rows || status_fail(status, "not enough memory for the largest step");
+        Cholesky *blend = &lattice.blend;
+        *blend = (Cholesky){.size = lattice.size, .width = lattice.width};
+        blend->rows = malloc(numbers * sizeof(double));
+        good = blend->rows || status_fail(status, "not enough memory for the largest step");
         for (size_t k = 0; good && k < numbers; k++)
-            blend.rows[k] = (1 - def->flip_fraction) * lattice.mass.rows[k];
+            blend->rows[k] = (1 - def->flip_fraction) * lattice.mass.rows[k];
         for (size_t u = 0; good && u < lattice.size; u++)
-            *entry(&blend, u, u) += (1 + def->flip_fraction) * lattice.lumped[u];
-        good = good && factor(&blend, def, &sound, status);
+            *entry(blend, u, u) += (1 + def->flip_fraction) * lattice.lumped[u];
+        good = good && factor(blend, def, &sound, status);
         if (good && sound) {
-            double eigenvalue;
-            bool converged;
-            good = largest_eigenvalue(&lattice, &blend, &eigenvalue, &converged) || given_up(status);
-            if (good && converged)
+            const double eigenvalue = largest_eigenvalue(&lattice);
+            good = !isnan(eigenvalue) || errno == 0 ||
+                   (errno == ENOMEM ? status_fail(status, "not enough memory for the largest step")
+                                    : given_up(status));
+            if (isfinite(eigenvalue))
                 *courant = def->courant * sqrt(2 / eigenvalue) / lattice.model.dt;
         }
     }
-    free(blend.rows);
     release(&lattice);
     return good;
 }

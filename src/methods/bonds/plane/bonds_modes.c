@@ -8,8 +8,11 @@
  *
  * so it adds k n n^T to the blocks (a,a) and (b,b) of K and takes it from (a,b) and (b,a). Held components
  * are uncoupled. With the nodes numbered by columns K is a narrow band: its Cholesky factor and a few steps
- * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. The same factor
- * gives the beam at rest under its weight in one solution, K u = rho b. */
+ * of inverse iteration, x <- K^-1 x, give lambda = x.x / x.K^-1 x to all digits that K has. Each turn makes
+ * the square of the vector's error smaller by (lambda_1/lambda_2)^2, 1/256 or less for a slender beam: a
+ * handful of turns; where two frequencies lie side by side it takes more. The half wave's own quotient x . K
+ * x would be of no use (.79 ms in place of .85 at dx .25 mm): it violates the point supports, and K punishes
+ * that. The same factor gives the beam at rest under its weight in one solution, K u = rho b. */
 #include "methods/bonds/plane/bonds_plane.h"
 #include "base/linear.h"
 #include "methods/bonds/plane/bonds_internal.h"
@@ -18,8 +21,6 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
-
-enum { ITERATIONS_MAX = 300 };
 
 /* Unknown number of a component of node (i, j): by columns. */
 static size_t unknown(const Lattice *lattice, int i, int j, int component)
@@ -106,14 +107,6 @@ static bool assemble(Cholesky *stiffness, const Model *model, const bool *held)
     return true;
 }
 
-static double dot(const double *a, const double *b, size_t count)
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* The start, 0 in held components: half a wave, eq. 16, which is all but the lowest vibration of a supported
  * beam. Of any other body the lowest may be of any symmetry, and the iteration never finds what its start has
  * nothing of: pseudo-random numbers (xorshift) have something of all, the same for every run. */
@@ -130,33 +123,6 @@ static void fill(const Model *model, const bool *held, double *x)
                              any = (double)hash / 4294967296.0 - 0.5;
                 x[at] = held[at] ? 0 : model->half_wave ? wave : any;
             }
-}
-
-/* lambda (N/m^4: rho omega^2) by inverse iteration; the held components stay zero. With |x| = 1 and y =
- * K^-1 x the quotient 1/(x . y) has the square of the vector's error, and each turn makes that smaller by
- * lambda_1/lambda_2, 1/16 or less for a slender beam: a handful of turns; where two frequencies lie side by
- * side it takes more. The half wave's own quotient x . K x would be of no use (.79 ms in place of .85 at dx
- * .25 mm): it violates the point supports, and K punishes that. NAN: not converged. False: cancelled. */
-static bool lowest_eigenvalue(const Cholesky *factor, const Model *model, const bool *held, double *x,
-                              double *y, double *eigenvalue)
-{
-    const size_t n = factor->size;
-    fill(model, held, x);
-    const double settled = 1e-8; /* where rounding keeps the last digits moving */
-    double lambda = 0, change = INFINITY;
-    for (int k = 0; k < ITERATIONS_MAX && !(change < 1e-12); k++) {
-        const double length = sqrt(dot(x, x, n)), before = lambda;
-        for (size_t i = 0; i < n; i++)
-            y[i] = x[i] /= length;
-        if (!cholesky_solve(factor, y, model->cancel))
-            return false;
-        lambda = 1 / dot(x, y, n);
-        for (size_t i = 0; i < n; i++)
-            x[i] = y[i];
-        change = fabs(lambda - before) / lambda;
-    }
-    *eigenvalue = change < settled ? lambda : NAN;
-    return true;
 }
 
 /* The displacement of a point under its own weight: K u = rho b with b = 1 m/s^2, upwards; mean over its four
@@ -199,19 +165,19 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
     if ((double)band.size * (double)(band.width + 1) > BEAM_MODES_NUMBERS_MAX)
         return true;
     bool *held = calloc(band.size, sizeof *held);
-    double *vectors = malloc(2 * band.size * sizeof *vectors);
+    double *vectors = malloc(3 * band.size * sizeof *vectors);
     band.rows = calloc(band.size * (band.width + 1), sizeof *band.rows);
     bool done = held && vectors && band.rows;
     if (!done)
         status_fail(status, "not enough memory for the predicted period");
     if (done) {
         hold(model, held);
+        fill(model, held, vectors);
         const CholeskyEnd end =
             assemble(&band, model, held) ? cholesky_factor(&band, model->cancel) : CHOLESKY_GIVEN_UP;
         double lambda = NAN;
         done = end == CHOLESKY_SINGULAR ||
-               (end == CHOLESKY_DONE &&
-                lowest_eigenvalue(&band, model, held, vectors, vectors + band.size, &lambda) &&
+               (end == CHOLESKY_DONE && linear_lowest(&band, NULL, vectors, &lambda, model->cancel) &&
                 (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
                status_fail(status, "the predicted period was cancelled");
         out->period = 2 * M_PI / sqrt(lambda / model->density);
