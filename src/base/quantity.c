@@ -1,16 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers with arithmetic and units (quantity.h), by recursive descent:
+/* Numbers with arithmetic and units (quantity.h): the grammar's dialect of units, worked out as it is read.
  *
- *     sum      [+|-] product { (+|-) product }
- *     product  power { (*|/) power | unit }            a unit behind a number multiplies it
- *     power    (number | unit | pi | ( sum )) [%] [^ [-] whole number]
- *              a digit right behind a unit is its power
- *
- * "1/2 mm" is half a millimetre, "kN/mm^2" and "kN/mm2" what they say, "3 1/ms" three in a millisecond. Every
- * value carries a power of ten beside its number, applied at the end: factors of units are powers of ten, so
- * nothing is rounded on the way. */
+ * "1/2 mm" is half a millimetre, "kN/mm^2" and "kN/mm2" what they say, a digit right behind a unit being its
+ * power, "3 1/ms" three in a millisecond. Every value carries a power of ten beside its number, applied at
+ * the end: factors of units are powers of ten, so nothing is rounded on the way. */
 #include "base/quantity.h"
 
+#include "base/grammar.h"
 #include "base/math/functions.h"
 #include "base/text.h"
 
@@ -21,7 +17,7 @@
 #include <string.h>
 
 enum { LENGTH, MASS, TIME, BASES };
-enum { DEPTH_MAX = 20, POWER_MAX = 9, TENS_MAX = 400, LETTERS_MAX = 4 };
+enum { VALUES_MAX = 128, POWER_MAX = 9, TENS_MAX = 400, LETTERS_MAX = 4 };
 
 typedef struct Value {
     double number;
@@ -32,8 +28,8 @@ typedef struct Value {
 enum { UNIT_NAME_MAX = 32 };
 
 typedef struct Reader {
-    const char *text, *at;
-    int depth;
+    Value values[VALUES_MAX]; /* a stack */
+    int count;
     const char *why;          /* NULL: sound so far */
     char name[UNIT_NAME_MAX]; /* of a unit that there is none of; "" */
 } Reader;
@@ -53,15 +49,15 @@ static const struct {
 
 static bool fail(Reader *reader, const char *why)
 {
-    if (!reader->why)
-        reader->why = why;
+    reader->why = why;
     return false;
 }
 
-static void skip_spaces(Reader *reader)
+static bool refuse(Grammar *grammar, const char *wanted, const char *token)
 {
-    while (*reader->at == ' ' || *reader->at == '\t')
-        reader->at++;
+    return fail(grammar->context, !wanted                    ? token
+                                  : strcmp(wanted, ")") == 0 ? "has a bracket that is not closed"
+                                                             : "is not a number");
 }
 
 /* The number that is written with the decimal point so many places further. */
@@ -78,11 +74,6 @@ static double shifted(double number, int tens)
 }
 
 /* --- units ------------------------------------------------------------------------------------------- */
-
-static bool is_letter(char c)
-{
-    return isalpha((unsigned char)c) || (unsigned char)c >= 0x80;
-}
 
 static const char *prefix_of(const char *word, int *tens)
 {
@@ -109,92 +100,76 @@ static bool unit_of(const char *word, int tens, Value *value)
 
 /* What no unit is called so, with what is written behind it, "t/m^3"; where no number stands before, it is
  * none. */
-static bool fail_unit(Reader *reader, const char *word)
+static bool fail_unit(Grammar *grammar)
 {
+    Reader *reader = grammar->context;
+    const char *word = grammar->at;
     size_t length = 0;
-    if (strcspn(reader->text, "0123456789") >= (size_t)(word - reader->text))
+    if (strcspn(grammar->text, "0123456789") >= (size_t)(word - grammar->text))
         return fail(reader, "is not a number");
     while (length < UNIT_NAME_MAX - 1 && word[length] &&
-           (is_letter(word[length]) || strchr("0123456789^/*-", word[length])))
+           (grammar_is_letter(word[length]) || strchr("0123456789^/*-", word[length])))
         length++;
     for (size_t whole = length; whole > 0; whole--) /* whole characters, where they are some */
         if (((unsigned char)word[whole] & 0xc0) != 0x80) {
             length = whole;
             break;
         }
-    if (!reader->why)
-        snprintf(reader->name, sizeof reader->name, "%.*s", (int)length, word);
+    snprintf(reader->name, sizeof reader->name, "%.*s", (int)length, word);
     return fail(reader, "cannot be read");
 }
 
 /* A unit, one with a prefix, or a prefix alone (not c); "m" is a metre. */
-static bool read_word(Reader *reader, Value *value)
+static bool find_word(const char *word, Value *value)
 {
-    char word[8];
-    const char *begin = reader->at;
-    size_t length = 0;
     int tens = 0;
-    while (is_letter(reader->at[length]))
-        length++;
-    if (length > LETTERS_MAX)
-        return fail_unit(reader, begin);
-    memcpy(word, reader->at, length);
-    word[length] = '\0';
-    reader->at += length;
-    if (strcmp(word, "pi") == 0) {
-        *value = (Value){.number = 3.14159265358979323846};
-        return true;
-    }
-    if (unit_of(word, 0, value))
+    *value = (Value){.number = 3.14159265358979323846};
+    if (strcmp(word, "pi") == 0 || unit_of(word, 0, value))
         return true;
     const char *rest = prefix_of(word, &tens);
     if (rest && *rest)
-        return unit_of(rest, tens, value) || fail_unit(reader, begin);
+        return unit_of(rest, tens, value);
     *value = (Value){.number = 1, .tens = tens};
-    return (rest && tens != -2) || fail_unit(reader, begin);
+    return rest && tens != -2;
+}
+
+static bool put(Grammar *grammar, Value value)
+{
+    Reader *reader = grammar->context;
+    if (reader->count == VALUES_MAX)
+        return fail(reader, "is too long");
+    reader->values[reader->count++] = value;
+    return true;
+}
+
+static bool read_number(Grammar *grammar, double number)
+{
+    return put(grammar, (Value){.number = number});
+}
+
+static bool apply(Grammar *, GrammarVerb, int power);
+
+static bool read_word(Grammar *grammar)
+{
+    char word[LETTERS_MAX + 1] = "";
+    const int none[BASES] = {0};
+    int power;
+    size_t length = 0;
+    Value value;
+    while (grammar_is_letter(grammar->at[length]))
+        length++;
+    if (length <= LETTERS_MAX)
+        memcpy(word, grammar->at, length);
+    if (length > LETTERS_MAX || !find_word(word, &value))
+        return fail_unit(grammar);
+    const bool powered =
+        isdigit((unsigned char)grammar->at[length]) && memcmp(value.bases, none, sizeof none) != 0;
+    grammar_pass(grammar, length);
+    return put(grammar, value) &&
+           (!powered || (grammar_read_power(grammar, &power) && apply(grammar, VERB_POWER, power)));
 }
 
 /* --- arithmetic --------------------------------------------------------------------------------------- */
-
-static bool read_sum(Reader *reader, Value *value);
-
-/* Digits with a point and an exponent, nothing else that strtod() takes. */
-static bool read_number(Reader *reader, Value *value)
-{
-    char text[64];
-    const char *end = reader->at;
-    while (isdigit((unsigned char)*end) || *end == '.')
-        end++;
-    if (*end == 'e' || *end == 'E') {
-        const char *digits = end + 1 + (end[1] == '+' || end[1] == '-');
-        if (isdigit((unsigned char)*digits))
-            for (end = digits; isdigit((unsigned char)*end);)
-                end++;
-    }
-    const size_t length = (size_t)(end - reader->at);
-    if (length == 0 || length >= sizeof text)
-        return fail(reader, "is not a number");
-    memcpy(text, reader->at, length);
-    text[length] = '\0';
-    *value = (Value){.number = 0};
-    reader->at = end;
-    return text_to_double(text, &value->number) || fail(reader, "is not a number");
-}
-
-static bool read_primary(Reader *reader, Value *value)
-{
-    skip_spaces(reader);
-    if (*reader->at != '(')
-        return is_letter(*reader->at) ? read_word(reader, value) : read_number(reader, value);
-    reader->at++;
-    if (!read_sum(reader, value))
-        return false;
-    skip_spaces(reader);
-    if (*reader->at != ')')
-        return fail(reader, "has a bracket that is not closed");
-    reader->at++;
-    return true;
-}
 
 /* Far from what a unit or a number can be, and from what an int can hold. */
 static bool is_bounded(Reader *reader, const Value *value)
@@ -205,13 +180,8 @@ static bool is_bounded(Reader *reader, const Value *value)
     return bounded || fail(reader, "is not a number");
 }
 
-static bool to_power(Reader *reader, Value *value)
+static bool to_power(Reader *reader, Value *value, int power)
 {
-    const bool minus = *reader->at == '-';
-    reader->at += minus || *reader->at == '+';
-    if (!isdigit((unsigned char)*reader->at) || isdigit((unsigned char)reader->at[1]) || reader->at[1] == '.')
-        return fail(reader, "has a power that is no whole number up to 9");
-    const int power = minus ? '0' - *reader->at++ : *reader->at++ - '0';
     if (power < 0 && value->number == 0)
         return fail(reader, "divides by zero");
     value->number = math_pow(value->number, power);
@@ -221,28 +191,7 @@ static bool to_power(Reader *reader, Value *value)
     return is_bounded(reader, value);
 }
 
-static bool read_power(Reader *reader, Value *value)
-{
-    const int none[BASES] = {0};
-    if (!read_primary(reader, value))
-        return false;
-    if (is_letter(reader->at[-1]) && isdigit((unsigned char)*reader->at) &&
-        memcmp(value->bases, none, sizeof none) != 0)
-        return to_power(reader, value);
-    skip_spaces(reader);
-    if (*reader->at == '%') {
-        reader->at++;
-        value->tens -= 2;
-        skip_spaces(reader);
-    }
-    if (*reader->at != '^')
-        return true;
-    reader->at++;
-    skip_spaces(reader);
-    return to_power(reader, value);
-}
-
-static bool combine(Reader *reader, Value *value, const Value *other, bool divides)
+static bool multiply(Reader *reader, Value *value, const Value *other, bool divides)
 {
     if (divides && other->number == 0)
         return fail(reader, "divides by zero");
@@ -251,25 +200,6 @@ static bool combine(Reader *reader, Value *value, const Value *other, bool divid
     for (int i = 0; i < BASES; i++)
         value->bases[i] += divides ? -other->bases[i] : other->bases[i];
     return is_bounded(reader, value);
-}
-
-static bool read_product(Reader *reader, Value *value)
-{
-    if (!read_power(reader, value))
-        return false;
-    for (;;) {
-        Value other;
-        skip_spaces(reader);
-        if (reader->at[0] == '1' && reader->at[1] == '/' && is_letter(reader->at[2]))
-            reader->at++; /* "3 1/ms" */
-        const bool divides = *reader->at == '/';
-        if (divides || *reader->at == '*')
-            reader->at++;
-        else if (!is_letter(*reader->at))
-            return true;
-        if (!read_power(reader, &other) || !combine(reader, value, &other, divides))
-            return false;
-    }
 }
 
 static bool add(Reader *reader, Value *value, const Value *other, int sign)
@@ -281,43 +211,53 @@ static bool add(Reader *reader, Value *value, const Value *other, int sign)
     return true;
 }
 
-static bool read_sum(Reader *reader, Value *value)
+static bool apply(Grammar *grammar, GrammarVerb verb, int power)
 {
-    if (++reader->depth > DEPTH_MAX)
-        return fail(reader, "has too many brackets");
-    skip_spaces(reader);
-    int sign = *reader->at == '-' ? -1 : 1;
-    reader->at += *reader->at == '-' || *reader->at == '+';
-    if (!read_product(reader, value))
-        return false;
-    value->number *= sign;
-    for (skip_spaces(reader); *reader->at == '+' || *reader->at == '-'; skip_spaces(reader)) {
-        Value other;
-        sign = *reader->at++ == '-' ? -1 : 1;
-        if (!read_product(reader, &other) || !add(reader, value, &other, sign))
-            return false;
+    Reader *reader = grammar->context;
+    const Value *last = &reader->values[reader->count - 1];
+    Value *value = &reader->values[verb >= VERB_ADD ? --reader->count - 1 : reader->count - 1];
+    switch (verb) {
+    case VERB_ADD:
+    case VERB_SUBTRACT:
+        return add(reader, value, last, verb == VERB_ADD ? 1 : -1);
+    case VERB_MULTIPLY:
+    case VERB_DIVIDE:
+        return multiply(reader, value, last, verb == VERB_DIVIDE);
+    case VERB_POWER:
+        return to_power(reader, value, power);
+    case VERB_PERCENT:
+        value->tens -= 2;
+        return true;
+    default:
+        value->number = verb == VERB_ABS ? fabs(value->number) : -value->number;
+        return true;
     }
-    reader->depth--;
-    return true;
 }
+
+static const GrammarDialect dialect = {.level = LEVEL_SUM,
+                                       .has_units = true,
+                                       .number = read_number,
+                                       .word = read_word,
+                                       .apply = apply,
+                                       .refuse = refuse};
 
 /* --- the whole ------------------------------------------------------------------------------------------ */
 
-static bool read_all(Reader *reader, Value *value)
+static bool read_all(Reader *reader, const char *text)
 {
-    if (!read_sum(reader, value))
-        return false;
-    return *reader->at == '\0' || fail(reader, "is not a number");
+    bool truth;
+    Grammar grammar = grammar_of(&dialect, reader, text);
+    return grammar_read(&grammar, LEVEL_SUM, &truth) && (!*grammar.at || grammar_refuse(&grammar, "+ - * /"));
 }
 
 static bool read_any(const char *text, const char *unit, double *value, char *why)
 {
     if (text_to_double(text, value))
         return true;
-    Value read = {0}, wanted = {0};
     const int none[BASES] = {0};
-    Reader reader = {.text = text, .at = text}, known = {.text = unit, .at = unit};
-    const bool sound = read_all(&reader, &read);
+    Reader reader = {.count = 0}, known = {.count = 0};
+    const bool sound = read_all(&reader, text);
+    const Value read = reader.values[0];
     const double number = sound ? shifted(read.number, read.tens) : NAN;
     if (!sound || !isfinite(number)) {
         if (reader.name[0])
@@ -330,7 +270,9 @@ static bool read_any(const char *text, const char *unit, double *value, char *wh
         *value = number; /* in whatever unit is wanted */
         return true;
     }
-    if (!read_all(&known, &wanted) || memcmp(wanted.bases, none, sizeof none) == 0)
+    const bool has_unit = read_all(&known, unit);
+    const Value wanted = known.values[0];
+    if (!has_unit || memcmp(wanted.bases, none, sizeof none) == 0)
         snprintf(why, QUANTITY_WHY_MAX, "has a unit where none is known");
     else if (memcmp(read.bases, wanted.bases, sizeof none) != 0)
         snprintf(why, QUANTITY_WHY_MAX, "is not in %.40s", unit);

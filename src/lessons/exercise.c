@@ -129,7 +129,8 @@ static const ExpressionStep *right_of(const Telling *telling)
 static bool is_size(const Telling *telling)
 {
     return telling->middle > telling->claim->first + 1 &&
-           telling->goal->steps[telling->middle - 1].kind == STEP_ABS;
+           telling->goal->steps[telling->middle - 1].verb == VERB_ABS &&
+           telling->goal->steps[telling->middle - 1].kind == STEP_VERB;
 }
 
 /* "error", "cell size"; of a sum its text. */
@@ -204,7 +205,7 @@ static void tell_limit(const Telling *telling, char *out, size_t size)
 {
     static const char *const words[] = {"below ", "at most ", "above ", "at least ", "", "not "};
     static const char *const sizes[] = {"within ", "within ", "beyond ", "beyond ", "", "not "};
-    const int relation = (int)telling->goal->steps[telling->claim->end - 1].kind - STEP_LESS;
+    const int relation = (int)telling->goal->steps[telling->claim->end - 1].verb - (int)VERB_LESS;
     text_append(out, size, "%s", (is_size(telling) ? sizes : words)[relation]);
     const bool of_opening = telling->claim->end - telling->middle == 2 && right_of(telling)->was;
     if (!telling->was && of_opening) {
@@ -243,7 +244,7 @@ static void tell_failing(const Telling *telling, char *out, size_t size)
         const Parameter *courant = parameter_find("time.courant");
         const ExpressionStep *step = left_of(telling);
         if (step->kind != STEP_WORD || strcmp(step->word->word, "dt") != 0 ||
-            telling->goal->steps[telling->claim->end - 1].kind != STEP_NOT_LESS ||
+            telling->goal->steps[telling->claim->end - 1].verb != VERB_NOT_LESS ||
             !parameter_applies_to(telling->now->settings, courant))
             return;
         const double wanted =

@@ -1,301 +1,163 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads an expression by descent into steps for a stack, and does them (expression.h). */
+/* Makes steps for a stack of what the grammar reads (base/grammar.h), and does them (expression.h). */
 #include "lessons/expression.h"
 
+#include "base/grammar.h"
 #include "scenario/settings.h"
+#include "base/math/functions.h"
 #include "base/text.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 24, TOKEN_MAX = 64 };
+enum { WORD_MAX = 64 };
 
-typedef struct Parser {
+typedef struct Reader {
     Expression *out;
-    const char *at; /* behind the token */
-    char token[TOKEN_MAX];
-    int token_start, token_end; /* in the text; where the one before it ended is `last_end` */
-    int last_end;
-    int depth;
     Status *status;
-} Parser;
+} Reader;
 
-/* --- tokens ----------------------------------------------------------------------------------------- */
-
-static bool is_letter(char c)
+static Reader *reader_of(Grammar *grammar)
 {
-    return isalpha((unsigned char)c) || c == '_';
+    return grammar->context;
 }
 
-static size_t number_length(const char *text)
+static bool refuse(Grammar *grammar, const char *wanted, const char *token)
 {
-    size_t length = strspn(text, "0123456789.");
-    if (length > 0 && (text[length] == 'e' || text[length] == 'E')) {
-        const size_t sign = text[length + 1] == '-' || text[length + 1] == '+';
-        const size_t digits = strspn(text + length + 1 + sign, "0123456789");
-        length += digits > 0 ? 1 + sign + digits : 0;
-    }
-    return length;
-}
-
-static size_t token_length(const char *text)
-{
-    size_t length = 0;
-    if (is_letter(*text)) {
-        while (is_letter(text[length]) || isdigit((unsigned char)text[length]) || text[length] == '.' ||
-               (text[length] == '-' && is_letter(text[length + 1])))
-            length++;
-        return length;
-    }
-    if (isdigit((unsigned char)*text) || *text == '.')
-        return number_length(text);
-    if (strchr("<>!", *text) && text[0] && text[1] == '=')
-        return 2;
-    return *text != '\0';
-}
-
-static void next(Parser *parser)
-{
-    parser->last_end = parser->token_end;
-    parser->at += strspn(parser->at, " \t");
-    const size_t length = token_length(parser->at);
-    parser->token_start = (int)(parser->at - parser->out->text);
-    parser->at += length;
-    parser->token_end = (int)(parser->at - parser->out->text);
-    snprintf(parser->token, sizeof parser->token, "%.*s", (int)length, parser->at - length);
-}
-
-static bool is(const Parser *parser, const char *token)
-{
-    return strcmp(parser->token, token) == 0;
-}
-
-static bool take(Parser *parser, const char *token)
-{
-    if (!is(parser, token))
-        return false;
-    next(parser);
-    return true;
-}
-
-static bool expected(Parser *parser, const char *what)
-{
-    return status_refuse(parser->status, "%s is wanted, not: %.40s", what,
-                         *parser->token ? parser->token : "the end of the line");
+    return wanted ? status_refuse(reader_of(grammar)->status, "%s is wanted, not: %.40s", wanted, token)
+                  : status_refuse(reader_of(grammar)->status, "%s", token);
 }
 
 /* --- steps ------------------------------------------------------------------------------------------ */
 
-static bool put(Parser *parser, ExpressionStep step)
+static bool put(Grammar *grammar, ExpressionStep step)
 {
-    Expression *out = parser->out;
+    Expression *out = reader_of(grammar)->out;
     if (out->n_steps == EXPRESSION_STEPS_MAX)
-        return status_refuse(parser->status, "is too long (at most %d numbers and signs)",
+        return status_refuse(reader_of(grammar)->status, "is too long (at most %d numbers and signs)",
                              EXPRESSION_STEPS_MAX);
     out->steps[out->n_steps++] = step;
     return true;
 }
 
-static bool deeper(Parser *parser)
+static bool put_number(Grammar *grammar, double number)
 {
-    return ++parser->depth <= DEPTH_MAX ||
-           status_refuse(parser->status, "has too many parentheses within each other (at most %d)",
-                         DEPTH_MAX);
+    return put(grammar, (ExpressionStep){.kind = STEP_CONSTANT, .number = number});
 }
 
-/* Signs between two sides, by how close they bind; a side is a truth or a number. */
-enum { OR, AND, RELATION, SUM, PRODUCT, LEVELS };
-
-typedef struct Sign {
-    const char *token;
-    ExpressionVerb verb;
-    int level;
-} Sign;
-
-static const Sign signs[] = {{"or", STEP_OR, OR},           {"and", STEP_AND, AND},
-                             {"<", STEP_LESS, RELATION},    {"<=", STEP_NOT_MORE, RELATION},
-                             {">", STEP_MORE, RELATION},    {">=", STEP_NOT_LESS, RELATION},
-                             {"=", STEP_EQUAL, RELATION},   {"!=", STEP_UNEQUAL, RELATION},
-                             {"+", STEP_ADD, SUM},          {"-", STEP_SUBTRACT, SUM},
-                             {"*", STEP_MULTIPLY, PRODUCT}, {"/", STEP_DIVIDE, PRODUCT}};
-
-/* The sign that comes next, if it binds so close; NULL: it does not. */
-static const Sign *sign_at(const Parser *parser, int level)
+/* A percent sign only says the unit of a number. */
+static bool put_verb(Grammar *grammar, GrammarVerb verb, int power)
 {
-    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-        if (signs[i].level == level && is(parser, signs[i].token))
-            return &signs[i];
-    return NULL;
+    Expression *out = reader_of(grammar)->out;
+    ExpressionStep *last = &out->steps[out->n_steps - 1];
+    if (verb != VERB_PERCENT)
+        return put(grammar, (ExpressionStep){.kind = STEP_VERB, .verb = verb, .number = power});
+    last->percent = last->kind == STEP_CONSTANT;
+    return last->percent || refuse(grammar, "a number", "%");
 }
 
-static bool check(Parser *parser, bool truth, bool wanted)
+static bool read_word(Grammar *grammar)
 {
-    return truth == wanted || (wanted ? expected(parser, "a relation (< <= > >= = !=)")
-                                      : status_refuse(parser->status, "a number is wanted, not a relation"));
-}
-
-static bool read_level(Parser *, int level, bool *truth);
-
-static bool read_number_at(Parser *parser, int level)
-{
-    bool truth;
-    return read_level(parser, level, &truth) && check(parser, truth, false);
-}
-
-static bool read_word(Parser *parser, bool was)
-{
-    char word[TOKEN_MAX];
-    const RunNumber *number = run_number_find(parser->token);
-    const Parameter *key = parameter_find(parser->token);
-    snprintf(word, sizeof word, "%s", parser->token);
+    Status *status = reader_of(grammar)->status;
+    char word[WORD_MAX];
+    const bool was = grammar_take(grammar, "was");
+    if (was && !grammar_is_letter(*grammar->at))
+        return grammar_refuse(grammar, "a parameter or a word of the mesh behind was");
+    const size_t length = grammar_token(grammar, word, sizeof word);
+    const RunNumber *number = run_number_find(word);
+    const Parameter *key = parameter_find(word);
     if (!number && !key)
-        return status_refuse(parser->status,
-                             "%.40s is neither a number of a run nor a parameter (see: man 5 matvib)", word);
+        return status_refuse(status, "%.40s is neither a number of a run nor a parameter (see: man 5 matvib)",
+                             word);
     if (was && number && !number->beforehand)
-        return status_refuse(parser->status,
+        return status_refuse(status,
                              "was %s: is known of a run that has ended only (was is for parameters, mesh and "
                              "time step)",
                              word);
     if (key && key->type == PARAMETER_TEXT)
-        return status_refuse(parser->status, "%s is not a number", word);
-    parser->out->has_was |= was;
-    next(parser);
-    return number ? put(parser, (ExpressionStep){.kind = STEP_WORD, .word = number, .was = was})
-                  : put(parser, (ExpressionStep){.kind = STEP_KEY, .key = key, .was = was});
-}
-
-static bool read_number(Parser *parser)
-{
-    double value;
-    if (!text_to_double(parser->token, &value))
-        return expected(parser, "a number");
-    next(parser);
-    const bool percent = take(parser, "%");
-    return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = value, .percent = percent});
-}
-
-static bool read_factor(Parser *parser, bool *truth)
-{
-    bool sound;
-    *truth = false;
-    if (!deeper(parser))
-        return false;
-    if (take(parser, "-")) {
-        sound = read_number_at(parser, LEVELS) && put(parser, (ExpressionStep){.kind = STEP_MINUS});
-    } else if (take(parser, "abs")) {
-        sound = (take(parser, "(") || expected(parser, "( behind abs")) && read_number_at(parser, SUM) &&
-                (take(parser, ")") || expected(parser, ")")) &&
-                put(parser, (ExpressionStep){.kind = STEP_ABS});
-    } else if (take(parser, "(")) {
-        sound = read_level(parser, OR, truth) && (take(parser, ")") || expected(parser, ")"));
-    } else if (take(parser, "was")) {
-        sound = is_letter(*parser->token) ? read_word(parser, true)
-                                          : expected(parser, "a parameter or a word of the mesh behind was");
-    } else if (is_letter(*parser->token)) {
-        sound = read_word(parser, false);
-    } else {
-        sound = read_number(parser);
-    }
-    parser->depth--;
-    return sound;
+        return status_refuse(status, "%s is not a number", word);
+    reader_of(grammar)->out->has_was |= was;
+    grammar_pass(grammar, length);
+    return number ? put(grammar, (ExpressionStep){.kind = STEP_WORD, .word = number, .was = was})
+                  : put(grammar, (ExpressionStep){.kind = STEP_KEY, .key = key, .was = was});
 }
 
 /* The word of a choice behind its parameter, as the number that settings_number() has for it. */
-static bool read_choice(Parser *parser, const Parameter *key)
+static bool choose(Grammar *grammar, GrammarVerb verb, bool *chosen)
 {
     static const char *const flags[] = {"no", "yes", NULL};
-    const char *const *choices = key->type == PARAMETER_FLAG ? flags : key->choices;
+    const Expression *out = reader_of(grammar)->out;
+    const Parameter *key = out->steps[out->n_steps - 1].key;
     char known[160] = "";
+    if (!key || (key->type != PARAMETER_CHOICE && key->type != PARAMETER_FLAG))
+        return true;
+    if (verb != VERB_EQUAL && verb != VERB_UNEQUAL)
+        return grammar_refuse(grammar, "= or !=");
+    grammar_pass(grammar, verb == VERB_EQUAL ? 1 : 2);
+    *chosen = true;
+    const char *const *choices = key->type == PARAMETER_FLAG ? flags : key->choices;
     for (int i = 0; choices[i]; i++) {
-        if (is(parser, choices[i])) {
-            next(parser);
-            return put(parser, (ExpressionStep){.kind = STEP_CONSTANT, .number = i});
-        }
+        if (grammar_take(grammar, choices[i]))
+            return put_number(grammar, i);
         text_or(known, sizeof known, choices[i]);
     }
-    return status_refuse(parser->status, "%s is compared with one of its choices (%s)", key->key, known);
+    return status_refuse(reader_of(grammar)->status, "%s is compared with one of its choices (%s)", key->key,
+                         known);
 }
 
-/* The parameter with choices that is all of a side, which began with this step; NULL: it is none. */
-static const Parameter *choice_at(const Parser *parser, int first)
-{
-    const ExpressionStep *step = &parser->out->steps[first];
-    const bool has_words = parser->out->n_steps == first + 1 && step->kind == STEP_KEY &&
-                           (step->key->type == PARAMETER_CHOICE || step->key->type == PARAMETER_FLAG);
-    return has_words ? step->key : NULL;
-}
-
-/* Sides with the signs of a level between them, from the left; a relation has two. */
-static bool read_level(Parser *parser, int level, bool *truth)
-{
-    const int first = parser->out->n_steps;
-    const bool joins_truths = level < RELATION;
-    const Sign *sign;
-    if (level == LEVELS)
-        return read_factor(parser, truth);
-    if (!read_level(parser, level + 1, truth))
-        return false;
-    while ((sign = sign_at(parser, level)) != NULL) {
-        const Parameter *key = level == RELATION ? choice_at(parser, first) : NULL;
-        bool right = false;
-        if (key && strchr("<>", *sign->token))
-            return expected(parser, "= or !=");
-        if (!check(parser, *truth, joins_truths))
-            return false;
-        next(parser);
-        if (!(key ? read_choice(parser, key) : read_level(parser, level + 1, &right)) ||
-            (!key && !check(parser, right, joins_truths)) ||
-            !put(parser, (ExpressionStep){.kind = sign->verb}))
-            return false;
-        *truth = level <= RELATION;
-        if (level == RELATION)
-            break;
-    }
-    return true;
-}
+static const GrammarDialect dialect = {.level = LEVEL_OR,
+                                       .number = put_number,
+                                       .word = read_word,
+                                       .apply = put_verb,
+                                       .choose = choose,
+                                       .refuse = refuse};
 
 /* A goal is a list of claims, each of which is told by itself where it does not hold; with "or" between them
  * it is one. */
-static bool read_claims(Parser *parser)
+static bool read_claims(Grammar *grammar)
 {
-    Expression *out = parser->out;
+    Expression *out = reader_of(grammar)->out;
     bool truth;
     do {
-        const int text = parser->token_start, first = out->n_steps;
+        const int text = (int)(grammar->at - out->text), first = out->n_steps;
         if (out->n_claims == EXPRESSION_CLAIMS_MAX)
-            return status_refuse(parser->status, "asks for too much (at most %d things)",
+            return status_refuse(reader_of(grammar)->status, "asks for too much (at most %d things)",
                                  EXPRESSION_CLAIMS_MAX);
-        if (!read_level(parser, RELATION, &truth) || !check(parser, truth, true))
+        if (!grammar_read(grammar, LEVEL_RELATION, &truth) || !grammar_expect(grammar, truth, true))
             return false;
-        out->claims[out->n_claims++] = (ExpressionClaim){text, parser->last_end - text, first, out->n_steps};
-    } while (take(parser, "and"));
-    if (!is(parser, "or"))
+        out->claims[out->n_claims++] =
+            (ExpressionClaim){text, (int)(grammar->end - out->text) - text, first, out->n_steps};
+    } while (grammar_take(grammar, "and"));
+    if (!grammar_take(grammar, "or"))
         return true;
     for (; out->n_claims > 1; out->n_claims--)
-        if (!put(parser, (ExpressionStep){.kind = STEP_AND}))
+        if (!put_verb(grammar, VERB_AND, 0))
             return false;
-    while (take(parser, "or"))
-        if (!read_level(parser, AND, &truth) || !check(parser, truth, true) ||
-            !put(parser, (ExpressionStep){.kind = STEP_OR}))
+    do
+        if (!grammar_read(grammar, LEVEL_AND, &truth) || !grammar_expect(grammar, truth, true) ||
+            !put_verb(grammar, VERB_OR, 0))
             return false;
-    out->claims[0].length = parser->last_end - out->claims[0].text;
+    while (grammar_take(grammar, "or"));
+    out->claims[0].length = (int)(grammar->end - out->text) - out->claims[0].text;
     out->claims[0].end = out->n_steps;
     return true;
 }
 
 bool expression_read(const char *text, ExpressionKind kind, Expression *out, Status *status)
 {
+    bool truth = false;
     *out = (Expression){.kind = kind};
     if (strlen(text) >= sizeof out->text)
         return status_refuse(status, "is too long (at most %d bytes)", EXPRESSION_MAX - 1);
     strcpy(out->text, text);
-    Parser parser = {.out = out, .at = out->text, .status = status};
-    next(&parser);
-    return (kind == EXPRESSION_TRUTH ? read_claims(&parser) : read_number_at(&parser, SUM)) &&
-           (!*parser.token || expected(&parser, kind == EXPRESSION_TRUTH ? "and, or" : "+ - * /"));
+    Reader reader = {out, status};
+    Grammar grammar = grammar_of(&dialect, &reader, out->text);
+    return (kind == EXPRESSION_TRUTH
+                ? read_claims(&grammar)
+                : grammar_read(&grammar, LEVEL_SUM, &truth) && grammar_expect(&grammar, truth, false)) &&
+           (!*grammar.at || grammar_refuse(&grammar, kind == EXPRESSION_TRUTH ? "and, or" : "+ - * /"));
 }
 
 /* --- values ----------------------------------------------------------------------------------------- */
@@ -322,36 +184,42 @@ static double as_told(double number)
 
 /* The truth of a relation or the number of a sign, from what stands left and right of it; what is not known
  * fulfils no relation. */
-static double combine(ExpressionVerb verb, double a, double b)
+static double combine(GrammarVerb verb, double a, double b)
 {
     const bool whole = a == floor(a) && b == floor(b);
     const bool same = a == b || (!whole && as_told(a) == as_told(b));
     switch (verb) {
-    case STEP_ADD:
+    case VERB_ADD:
         return a + b;
-    case STEP_SUBTRACT:
+    case VERB_SUBTRACT:
         return a - b;
-    case STEP_MULTIPLY:
+    case VERB_MULTIPLY:
         return a * b;
-    case STEP_DIVIDE:
+    case VERB_DIVIDE:
         return a / b;
-    case STEP_AND:
+    case VERB_AND:
         return a != 0 && b != 0;
-    case STEP_OR:
+    case VERB_OR:
         return a != 0 || b != 0;
-    case STEP_LESS:
+    case VERB_LESS:
         return a < b;
-    case STEP_NOT_MORE:
+    case VERB_NOT_MORE:
         return a < b || same;
-    case STEP_MORE:
+    case VERB_MORE:
         return a > b;
-    case STEP_NOT_LESS:
+    case VERB_NOT_LESS:
         return a > b || same;
-    case STEP_EQUAL:
+    case VERB_EQUAL:
         return same;
     default:
         return !same && !isnan(a) && !isnan(b);
     }
+}
+
+/* How many numbers a step takes from the stack; each puts one there. */
+static int taken_by(const ExpressionStep *step)
+{
+    return step->kind != STEP_VERB ? 0 : step->verb < VERB_ADD ? 1 : 2;
 }
 
 double expression_part(const Expression *expression, int first, int end, const ExpressionRun *now,
@@ -361,15 +229,13 @@ double expression_part(const Expression *expression, int first, int end, const E
     int top = 0;
     for (int i = first; i < end; i++) {
         const ExpressionStep *step = &expression->steps[i];
-        if (step->kind <= STEP_KEY) {
-            stack[top++] = value_of(step, step->was ? was : now);
-        } else if (step->kind == STEP_MINUS || step->kind == STEP_ABS) {
-            const double a = stack[top - 1];
-            stack[top - 1] = step->kind == STEP_MINUS ? -a : fabs(a);
-        } else {
-            const double b = stack[--top];
-            stack[top - 1] = combine(step->kind, stack[top - 1], b);
-        }
+        top += 1 - taken_by(step);
+        double *a = &stack[top - 1];
+        *a = step->kind != STEP_VERB    ? value_of(step, step->was ? was : now)
+             : step->verb == VERB_MINUS ? -*a
+             : step->verb == VERB_ABS   ? fabs(*a)
+             : step->verb == VERB_POWER ? math_pow(*a, step->number)
+                                        : combine(step->verb, a[0], a[1]);
     }
     return top > 0 ? stack[0] : NAN;
 }
@@ -379,10 +245,12 @@ int expression_middle(const Expression *expression, const ExpressionClaim *claim
     int middle = 0;
     for (int i = claim->first, top = 0; i < claim->end; i++) {
         const ExpressionStep *step = &expression->steps[i];
-        if (step->kind >= STEP_LESS && step->kind <= STEP_UNEQUAL && i + 1 < claim->end)
+        if (i + 1 == claim->end)
+            break;
+        if (step->kind == STEP_VERB && step->verb >= VERB_LESS && step->verb <= VERB_UNEQUAL)
             return 0;
-        top += step->kind <= STEP_KEY ? 1 : step->kind == STEP_MINUS || step->kind == STEP_ABS ? 0 : -1;
-        if (top == 1 && i + 1 < claim->end)
+        top += 1 - taken_by(step);
+        if (top == 1)
             middle = i + 1;
     }
     return middle;

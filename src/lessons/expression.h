@@ -1,54 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What an exercise asks of a run, as a line of text: "abs(error) < 1 and cells <= 60 and dt >= was dt".
- *
- *     truth    claim { "and" claim } { "or" claim { "and" claim } }
- *     claim    sum relation sum | KEY ("=" | "!=") WORD | "(" truth ")"
- *     relation "<" | "<=" | ">" | ">=" | "=" | "!="
- *     sum      product { ("+" | "-") product }
- *     product  factor { ("*" | "/") factor }
- *     factor   NUMBER ["%"] | ["was"] WORD | ["was"] KEY | "abs" "(" sum ")" | "(" sum ")" | "-" factor
+/* What an exercise asks of a run, as a line of text: "abs(error) < 1 and cells <= 60 and dt >= was dt",
+ * in the grammar of base/grammar.h, with words, also as "was" WORD, and KEY ("=" | "!=") WORD for a relation.
  *
  * WORD is a number of a run (run_numbers.h), KEY a parameter ("mesh.cell_size"); a parameter with choices is
  * compared with one of them. The rows of a plate ("loads.top.sy") are no parameters and cannot be asked for.
- * `was` takes the value that a parameter, the mesh or the step had as the page was opened. "and" binds closer
- * than "or". A % behind a number only says its unit: errors are in percent already. What is not known fulfils
- * no relation. */
+ * `was` takes the value that a parameter, the mesh or the step had as the page was opened. A % behind a
+ * number only says its unit: errors are in percent already. What is not known fulfils no relation. */
 #ifndef LESSONS_EXPRESSION_H
 #define LESSONS_EXPRESSION_H
 
 #include "answers/run_numbers.h"
+#include "base/grammar.h"
 #include "scenario/parameters.h"
 
 enum { EXPRESSION_MAX = 240, EXPRESSION_STEPS_MAX = 96, EXPRESSION_CLAIMS_MAX = 8 };
 
 typedef enum ExpressionKind { EXPRESSION_NUMBER, EXPRESSION_TRUTH } ExpressionKind;
 
-typedef enum ExpressionVerb {
-    STEP_CONSTANT,
-    STEP_WORD,
-    STEP_KEY,
-    STEP_MINUS,
-    STEP_ABS,
-    STEP_ADD,
-    STEP_SUBTRACT,
-    STEP_MULTIPLY,
-    STEP_DIVIDE,
-    STEP_LESS,
-    STEP_NOT_MORE,
-    STEP_MORE,
-    STEP_NOT_LESS,
-    STEP_EQUAL,
-    STEP_UNEQUAL,
-    STEP_AND,
-    STEP_OR
-} ExpressionVerb;
-
 /* One step of a calculation with a stack. */
 typedef struct ExpressionStep {
-    ExpressionVerb kind;
+    enum { STEP_CONSTANT, STEP_WORD, STEP_KEY, STEP_VERB } kind;
     bool was;
-    bool percent; /* of a number: it says so behind it */
-    double number;
+    bool percent;  /* of a number: it says so behind it */
+    double number; /* or the power */
+    GrammarVerb verb;
     const RunNumber *word;
     const Parameter *key;
 } ExpressionStep;

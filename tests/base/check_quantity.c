@@ -50,6 +50,8 @@ static const struct {
     {"(1+1) 1/ms", "1/s", 2000},
     {"25 mm", "mm", 25}, /* a unit with a prefix of its own */
     {"2 m / (8 m)", "m", 0.25},
+    {"2 * -3^2 + abs(1 - 3)", "", -16},
+    {"6 mm / -2", "m", -0.003},
 };
 
 START_TEST(a_quantity_has_its_value)
@@ -112,7 +114,7 @@ static const char *const bad[][3] = {
     {"1e-40 mm^4", "m^4", "is too small to compute with"},
     {"1e200^9", "", "is too large"},
     {"(m^9)^9", "m", "is not a number"},
-    {"((((((((((((((((((((((1))))))))))))))))))))))", "", "has too many brackets"},
+    {"((((((((((((((((((((((1))))))))))))))))))))))", "", "has too many brackets in each other (at most 20)"},
 };
 
 START_TEST(what_is_no_quantity_says_why)

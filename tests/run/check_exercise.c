@@ -248,8 +248,8 @@ static const struct {
     {"1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1",
      "is too long (at most 96 numbers and signs)", EXPRESSION_NUMBER},
     {"((((((((((((((((((((((((((((((((1))))))))))))))))))))))))))))))))",
-     "has too many parentheses within each other (at most 24)", EXPRESSION_NUMBER},
-    {"--------------------------------1", "has too many parentheses within each other (at most 24)",
+     "has too many brackets in each other (at most 20)", EXPRESSION_NUMBER},
+    {"--------------------------------1", "has too many brackets in each other (at most 20)",
      EXPRESSION_NUMBER},
 };
 
