@@ -433,10 +433,8 @@ static bool write_tables(const char *scenario)
 static bool write_results(const char *argument)
 {
     (void)argument;
-    for (int column = 0; column < RESULT_COLUMNS; column++) {
-        Quantity quantity = sweep_result_quantity((ResultColumn)column);
-        write_quantity(&quantity);
-    }
+    for (int column = 0; column < RESULT_COLUMNS; column++)
+        write_quantity(&sweep_columns[column]);
     return true;
 }
 

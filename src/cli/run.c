@@ -55,13 +55,12 @@ static void print_json(const Options *options, const Settings *settings, const R
     quantities_add(&list, "time", summary->time, unit_of_time);
     quantities_add(&list, "dt", summary->dt, unit_of_time);
     const ResultColumn measured =
-        summary->readout.is_period ? RESULT_PERIOD_MEASURED : RESULT_FREQUENCY_MEASURED;
+        summary->readout.is_period ? RESULT_period_measured : RESULT_frequency_measured;
     for (int i = 0; i < RESULT_COLUMNS; i++) {
-        const Quantity quantity = sweep_result_quantity((ResultColumn)i);
         const bool missed = summary->readout.moving && i == (int)measured && isnan(result.cells[i]);
         if (!missed && !isfinite(result.cells[i]))
             continue;
-        quantities_add(&list, quantity.name, result.cells[i], quantity.unit);
+        quantities_add(&list, sweep_columns[i].name, result.cells[i], sweep_columns[i].unit);
         if (missed && *result.failure.text)
             quantities_text(&list, "why", result.failure.text);
     }

@@ -44,7 +44,7 @@ static int names_of(const SweepTable *table, const char *names[TABLE_COLUMNS_MAX
         names[n++] = table->plan->keys[k].key;
     for (int column = 0; column < RESULT_COLUMNS; column++)
         if (table->has[column])
-            names[n++] = sweep_result_name((ResultColumn)column);
+            names[n++] = sweep_columns[column].name;
     return n;
 }
 
@@ -343,48 +343,37 @@ static char *beside_name(const char *output, Status *status)
     return NULL;
 }
 
-/* A word as a POSIX shell needs it. */
-static void shell_quote(FILE *stream, const char *word)
-{
-    static const char harmless[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
-    if (*word && strspn(word, harmless) == strlen(word)) {
-        fputs(word, stream);
-        return;
-    }
-    fputc('\'', stream);
-    for (; *word; word++)
-        if (*word == '\'')
-            fputs("'\\''", stream);
-        else
-            fputc(*word, stream);
-    fputc('\'', stream);
-}
-
 /* The scenario of the first combination; as comments the command and the columns. */
 static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile *file, Status *status)
 {
     char *comment = NULL;
     size_t size = 0;
     Settings settings;
+    bool quotes = true;
     FILE *text = open_memstream(&comment, &size);
     if (!text)
         return no_memory(status);
     fputs("matvib " PACKAGE_VERSION "\n\nmatvib sweep", text);
     for (int i = 0; i < sweep->options->n_arguments; i++) {
-        fputc(' ', text);
-        shell_quote(text, sweep->options->arguments[i]);
+        const char *word = sweep->options->arguments[i];
+        const size_t room = 4 * strlen(word) + 3; /* each of its characters may be quoted */
+        char *quoted = calloc(room, 1);
+        quotes = quotes && quoted;
+        if (quoted)
+            text_append_shell(quoted, room, word);
+        fprintf(text, " %s", quoted ? quoted : "");
+        free(quoted);
     }
     fputs("\n\nColumns:\n", text);
     /* A line for each column: name, unit, meaning; what the indices of choices stand for. */
     for (int k = 0; k < table->plan->n_keys; k++)
         describe_key(table, &table->plan->keys[k], text);
     for (int column = 0; column < RESULT_COLUMNS; column++)
-        if (table->has[column]) {
-            Quantity quantity = sweep_result_quantity((ResultColumn)column);
-            fprintf(text, "%s [%s]: %s\n", quantity.name, quantity.unit, quantity.meaning);
-        }
+        if (table->has[column])
+            fprintf(text, "%s [%s]: %s\n", sweep_columns[column].name, sweep_columns[column].unit,
+                    sweep_columns[column].meaning);
     fputs("\nThe first combination:\n", text);
-    bool written = (text_stream_close(text, &comment) || no_memory(status)) &&
+    bool written = ((text_stream_close(text, &comment) && quotes) || no_memory(status)) &&
                    sweep_plan_load(&sweep->plan, sweep->options, 0, true, &settings, status) &&
                    scenario_write(file->stream, &settings, comment, status) && output_finish(file, status);
     free(comment);
