@@ -4,7 +4,6 @@
 #include "cli/cli.h"
 
 #include "cli/options.h"
-#include "cli/common.h"
 #include "cli/verify/verify.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"

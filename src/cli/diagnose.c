@@ -7,8 +7,7 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/common.h"
-#include "export/csv.h"
+#include "export/export.h"
 #include "methods/pool.h"
 #include "scenario/settings.h"
 

@@ -8,7 +8,6 @@
 #include "scenario/settings.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "export/export.h"
 #include "base/output.h"
 #include "views/view.h"

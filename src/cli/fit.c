@@ -5,7 +5,6 @@
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "base/output.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"

@@ -3,14 +3,13 @@
  * and, in another table, for each student. */
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "cli/students.h"
 
 #include "base/output.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "picture/paper/leaflet.h"
-#include "export/csv.h"
+#include "export/export.h"
 #include "lab/session/grading.h"
 #include "help/command.h"
 #include "base/input.h"

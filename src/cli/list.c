@@ -6,7 +6,6 @@
 #include "scenario/settings.h"
 #include "cli/options.h"
 #include "lessons/lesson.h"
-#include "cli/common.h"
 #include "base/text.h"
 #include "scenario/scenario.h"
 #include "scenario/parameters.h"

@@ -3,7 +3,6 @@
 #include "cli/cli.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "base/input.h"
 #include "base/output.h"
 #include "base/visible.h"

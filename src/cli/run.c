@@ -3,7 +3,6 @@
 #include "cli/cli.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "cli/sweep/sweep_plan.h"
 #include "base/text.h"
 #include "export/export.h"

@@ -4,7 +4,6 @@
 #include "cli/cli.h"
 #include "scenario/settings.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "base/math/functions.h"
 #include "base/output.h"
 

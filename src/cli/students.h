@@ -4,7 +4,7 @@
 #ifndef CLI_STUDENTS_H
 #define CLI_STUDENTS_H
 
-#include "export/csv.h"
+#include "export/export.h"
 #include "lab/session/grading.h"
 
 typedef struct Student Student;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Header and rows of a table (csv.h); the number format is that of base/text.h, with whole numbers written
+/* Header and rows of a table (export.h); the number format is that of base/text.h, with whole numbers written
  * directly, since they are most of a table. */
-#include "export/csv.h"
+#include "export/export.h"
 
 #include "base/assertion.h"
 #include "base/text.h"

@@ -5,11 +5,10 @@
 #include "base/assertion.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
-#include "export/csv.h"
+#include "export/export.h"
 #include "export/export_internal.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
-#include "export/export.h"
 
 #include <math.h>
 #include <stdio.h>

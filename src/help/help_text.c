@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The passages of the help: one set for each kind of simulation, told apart by what it has. */
-#include "help/help_text.h"
+#include "help/command.h"
 
 /* --- words of the curves --------------------------------------------------------------------------- */
 

@@ -4,7 +4,6 @@
 #include "views/view.h"
 #include "scenario/settings.h"
 #include "lab/prompt/prompt.h"
-#include "lab/opening.h"
 #include "panes/screen.h"
 
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
-#include "lab/opening.h"
 #include "lab/laboratory.h"
 #include "panes/screen.h"
 #include "scenario/concern_output.h"

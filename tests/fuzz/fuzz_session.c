@@ -5,7 +5,6 @@
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
 #include "lab/commands/exporting.h"
-#include "lab/opening.h"
 #include "terminal/keys.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Exercises: the grammar of what they ask, a student's variants and names, and cells of the table of marks.
  */
-#include "export/csv.h"
+#include "export/export.h"
 #include "scenario/settings.h"
 #include "lessons/exercise.h"
 #include "lessons/variant.h"

@@ -7,7 +7,6 @@
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "export/csv.h"
 #include "export/export.h"
 #include "run/lab_case.h"
 #include "scenario/scenario.h"

@@ -11,11 +11,10 @@
 #include "base/visible.h"
 #include "cli/cli.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "cli/sweep/sweep_plan.h"
 #include "methods/pool.h"
 #include "scenario/rows/rows.h"
-#include "export/csv.h"
+#include "export/export.h"
 
 #include <math.h>
 #include <pthread.h>

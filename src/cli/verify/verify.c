@@ -4,7 +4,6 @@
 #include "base/text.h"
 #include "base/threads.h"
 #include "cli/options.h"
-#include "cli/common.h"
 #include "base/cancel.h"
 #include "base/math/functions.h"
 

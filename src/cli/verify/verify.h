@@ -16,7 +16,7 @@
 #include "problems/problem.h"
 #include "answers/references.h"
 #include "run/advance.h"
-#include "cli/common.h"
+#include "cli/cli.h"
 
 #include <stdio.h>
 #include <math.h>

@@ -10,9 +10,9 @@
 
 #include "scenario/settings.h"
 #include "lessons/lesson.h"
+#include "lessons/lesson_shown.h"
 #include "answers/run_summary.h"
 #include "base/output.h"
-#include "lessons/lesson_shown.h"
 #include "terminal/keys.h"
 #include "help/command.h"
 

@@ -9,7 +9,6 @@
 #include "lab/commands/commands.h"
 #include "lab/commands/exporting.h"
 #include "lab/edit.h"
-#include "lab/opening.h"
 #include "picture/words/tell.h"
 #include "views/view.h"
 #include "base/text.h"

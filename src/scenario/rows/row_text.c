@@ -3,9 +3,8 @@
 #include "base/assertion.h"
 #include "base/quantity.h"
 #include "base/text.h"
-#include "scenario/rows/row_text.h"
-#include "problems/problem.h"
 #include "scenario/rows/rows.h"
+#include "problems/problem.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include "base/assertion.h"
 #include "base/text.h"
 #include "problems/problem.h"
-#include "scenario/rows/row_text.h"
+#include "scenario/rows/rows.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
