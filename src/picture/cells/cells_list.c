@@ -322,6 +322,9 @@ static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, 
         const char *key =
             legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
         area_text(area, x, y, key, legend[i].style);
+        if (!legend[i].key && legend[i].line == LINE_SOLID) /* two cells of dots are no line */
+            canvas_vector(area.canvas, ";A%d,%d,2,1;L%d,%d,0 0,8 32,8", area.rect.x + x, area.rect.y + y,
+                          (int)legend[i].style, (int)LINE_SOLID);
         area_text(area, x + 3, y, legend[i].name, STYLE_NORMAL);
         x += columns + gap;
     }
