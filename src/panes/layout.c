@@ -398,7 +398,9 @@ static bool layout_plain(const Screen *screen, int width, int height, Layout *la
         const int top = 1 + question, middle = height - 2 - question - box, left = width - ASKED_WIDTH - 1;
         const int strip = middle < 2 * PICTURE_LEAST ? 0 : strip_rows(screen, height);
         const int asked = pane_asked_rows(screen), number = pane_number_rows(screen, width, height);
-        const int over = number + asked > middle ? 0 : number; /* the parameters are what is changed */
+        /* the parameters are what is changed; below the title a row stays free, where there is one */
+        const int gap = number > 0 && question == 0 && number + asked < middle;
+        const int over = number + asked > middle ? 0 : number + gap;
         layout->question = (Rect){0, 1, question ? width : 0, question};
         layout->panes[PANE_MESH] = (Rect){0, top, strip ? left : 0, strip};
         lay_out_picture(screen, (Rect){0, top + strip, left, middle - strip}, layout);

@@ -237,6 +237,7 @@ static const Screenshot pictures[] = {
     {"stacked-low", "mode5 40x20 100 bare"},
     {"beside", "mode5 93x16 1234 bare"},
     {"beside-crack", "notched-beam-coarse 93x12 1677 upper beam bare"},
+    {"beside-discs", "two-discs 93x14 200 bare upper 8"},
     {"plain-plate", "branching-coarse 60x18 200 upper beam bare"},
     {"lecture", "mode5 80x24 1310 running lecture"},
     {"lecture-stage-large", "mode5 132x43 1310 stage 3 lecture focus 2"},
