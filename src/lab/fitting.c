@@ -167,7 +167,8 @@ bool fitting_diagnose(Laboratory *lab, const char *words)
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);
-        laboratory_tell(lab, "%s", lab->diagnosis);
+        if (!screen_shows_diagnosis(&lab->screen, lab->width, lab->height))
+            laboratory_tell(lab, "%s", lab->diagnosis);
     }
     if (table)
         diagnose_close(table);

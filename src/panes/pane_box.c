@@ -304,11 +304,23 @@ static void draw_summary(const Screen *screen, Area area)
                  STYLE_NORMAL);
 }
 
+enum { LEAST = 4 }; /* rows in which there is more to be said than a heading */
+
+static bool is_between_steps(const Screen *screen)
+{
+    return experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
+}
+
+bool screen_shows_diagnosis(const Screen *screen, int width, int height)
+{
+    const Rect box = screen_pane(screen, width, height, PANE_BOX);
+    return screen->diagnosis[0] && is_between_steps(screen) && box.height - pane_runs_rows(screen) >= LEAST;
+}
+
 /* True: the ghosts are named in it. */
 static bool draw_box(const Screen *screen, Area area)
 {
-    enum { LEAST = 4 }; /* rows in which there is more to be said than a heading */
-    const bool between = experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
+    const bool between = is_between_steps(screen);
     const int table = between ? pane_runs(screen, area) : 0;
     area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
     if (table > 0 && area.rect.height < LEAST)

@@ -253,6 +253,9 @@ void screen_draw(const Screen *, Canvas *);
 /* Where a pane lies at this size; width 0: it is not shown. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);
 
+/* Whether what is known of somebody's own code stands in its pane at this size. */
+bool screen_shows_diagnosis(const Screen *, int width, int height);
+
 /* Whether all panes of the sheet have room; on a smaller screen only the focused one, or the two plots, are
  * seen. */
 bool screen_is_whole(const Screen *, int width, int height);

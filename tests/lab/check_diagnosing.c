@@ -75,6 +75,8 @@ START_TEST(the_plain_sheet_keeps_the_answer)
     Bench *bench = open_bench("mode1", true);
     enter(bench, "sheet plain");
     ck_assert_str_eq(enter(bench, "diagnose own.csv"), "");
+    ck_assert(shows(bench, "read as v_cm") &&
+              !strstr(bench->lab.screen.message->text, "read as v_cm")); /* once */
     press(bench, "Down");
     ck_assert(bench->lab.screen.message->kind == MESSAGE_NONE && screen_is_plain(&bench->lab.screen));
     ck_assert(shows(bench, "Your code beside the right one"));
