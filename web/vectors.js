@@ -9,10 +9,10 @@ const FRAME = 2; // STYLE_FRAME
 const RULE = 0x2502, UPRIGHT = 0x7c, POINT = 0xb7, CROSS = 0x2b, DISC = 0x25cf, RING = 0x25cb, SQUARE = 0x25a0, SHAPES = [RULE, CROSS, DISC, RING, SQUARE];
 const RADIUS = .42; // of a disc, in cells
 const MAP_MOST = 4e6; // pixels
-const COSTLY = 4, DRAWINGS = 40; // milliseconds a picture, on the mean of so many
+const COSTLY = 4, DRAWINGS = 41; // milliseconds a picture: the median of so many, for the browser may do other things during some
 
 const vectors = {
-	on: true, areas: [], colours: [], asked: false, cost: 0, drawn: 0, canvas: null,
+	on: true, chosen: false, areas: [], colours: [], asked: false, costs: [], canvas: null,
 	take(text) {
 		const [colours, ...commands] = text.split(';');
 		this.colours = colours.slice(1).split(',').map(Number);
@@ -39,10 +39,9 @@ const vectors = {
 		this.asked = true;
 		requestAnimationFrame(() => { this.asked = false; this.draw(); });
 	},
-	turn(on) {
-		this.on = on;
+	turn(on, chosen = true) { // what a person has chosen stays
+		Object.assign(this, {on, chosen, costs: []});
 		element('lines').setAttribute('aria-pressed', String(on));
-		this.cost = this.drawn = 0;
 		this.draw();
 	},
 	colour(style) { return this.ink(this.colours[style]); },
@@ -73,15 +72,15 @@ const vectors = {
 		const across = canvas.width / term.cols, down = canvas.height / term.rows;
 		this.draw_blocks(pen, across, down);
 		for (const area of this.areas) this.draw_area(pen, area, across, down);
-		this.cost += performance.now() - begin;
-		if (++this.drawn < DRAWINGS) return;
-		if (this.cost / this.drawn > COSTLY) {
-			this.turn(false);
+		if (this.chosen || this.costs.push(performance.now() - begin) < DRAWINGS) return;
+		const median = this.costs.sort((a, b) => a - b)[DRAWINGS >> 1];
+		this.costs = [];
+		if (median > COSTLY) {
+			this.turn(false, false);
 			const why = 'Lines are drawn as characters: as lines a picture takes more than ' + COSTLY + ' ms here (F9 has them again).';
 			if (element('notice').hidden) notice(why); // what a person has still to read stays
 			setTimeout(() => { if (element('notice').textContent === why) notice(''); }, 10000);
 		}
-		this.cost = this.drawn = 0;
 	},
 	// cells that something is drawn in or beside: a sample in a legend is not one of them
 	crossed({strokes, map}, columns, rows) {
@@ -115,23 +114,26 @@ const vectors = {
 				for (let j = from; j <= to; j++)
 					if (glyph === RULE || (i === Math.floor(x) && j === Math.floor(y)) || !marked.has(j * columns + i)) marked.set(j * columns + i, glyph);
 		}
-		const buffer = term.buffer.active, found = new Uint8Array(columns * rows), blank = new Uint8Array(columns * rows);
+		const buffer = term.buffer.active, found = new Uint8Array(columns * rows), blank = new Uint8Array(columns * rows), wide = new Uint8Array(columns * rows);
+		let cell; // one for all, for a new one each is dear
 		for (let y = 0; y < rows; y++) {
 			const line = buffer.getLine(buffer.viewportY + top + y);
 			for (let x = 0; line && x < columns; x++) {
-				const cell = line.getCell(left + x), code = cell ? cell.getCode() : -1;
+				cell = line.getCell(left + x, cell);
+				const code = cell ? cell.getCode() : -1;
 				const mark = marked.get(y * columns + x), drawn = (code >= 0x2800 && code < 0x2900) || (code >= 0x2580 && code <= 0x2593);
 				found[y * columns + x] = (crossed[y * columns + x] || mark) && (drawn || (code === mark && SHAPES.includes(mark)));
 				blank[y * columns + x] = (code === 0 || code === 32) && cell.isBgDefault(); // nothing lies over the picture
+				wide[y * columns + x] = code > 0xff && !found[y * columns + x]; // a sign of another font may be wider than its cell
 				if (code !== 0x2500) continue;
 				rules.add(y); // a line across, which curves have broken
 				found[y * columns + x] = 1;
 			}
 		}
-		const near = (x, y) => x >= 0 && y >= 0 && x < columns && y < rows && found[y * columns + x] === 1;
+		const at = (list, x, y) => (x >= 0 && y >= 0 && x < columns && y < rows ? list[y * columns + x] : 0), near = (x, y) => at(found, x, y) === 1;
 		for (let y = 0; y < rows; y++)
 			for (let x = 0; x < columns; x++)
-				if (blank[y * columns + x] && (near(x - 1, y) || near(x + 1, y) || near(x, y - 1) || near(x, y + 1))) found[y * columns + x] = 2;
+				if (blank[y * columns + x] && !at(wide, x - 1, y) && !at(wide, x + 1, y) && (near(x - 1, y) || near(x + 1, y) || near(x, y - 1) || near(x, y + 1))) found[y * columns + x] = 2;
 		return found;
 	},
 	// large digits and scales, in whose blocks a font leaves seams

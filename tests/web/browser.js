@@ -14,7 +14,7 @@ const built = process.env.MATVIB_BUILDDIR;
 const puppeteer = createRequire(path.join(built, 'web-work', 'x.js'))('puppeteer-core');
 const scratch = process.env.MATVIB_ENGINE && fs.mkdtempSync(path.join(os.tmpdir(), 'matvib-page-'));
 const patience = 300000; // for whatever is waited for: a machine may be loaded
-const PICTURE_MOST = 2; // processor time of the first picture, in that of 20 million steps of a generator; 1.4 to 1.7, and from 2.07 on before it was unpacked in a worker
+const PICTURE_MOST = 2; // processor time of the first picture, in that of 20 million steps of a generator; 1.3 to 1.7, and from 2.07 on before it was unpacked in a worker
 const asked = []; // of the server
 let away = false, held = null, browser, context, page, served, engine;
 
@@ -776,6 +776,12 @@ async function lines() {
 		await becomes(`${scenario}: the picture comes as lines`, () => page.evaluate(() => vectors.areas.map((area) => area.strokes.length + (area.map ? ' map' : ''))),
 			(found) => found.some((area) => parseInt(area) > 0) && found.some((area) => / map/.test(area)) === (scenario !== 'mode5'));
 		await becomes('which are drawn', drawn, (count) => count > 2000);
+		await becomes('and a solid one in the legend', () => page.evaluate(() => {
+			const samples = vectors.areas.filter(({rect}) => rect[2] === 2 && rect[3] === 1), pen = vectors.canvas.getContext('2d');
+			const across = vectors.canvas.width / term.cols, down = vectors.canvas.height / term.rows;
+			const inks = samples.map(({rect: [x, y]}) => new Set(new Uint32Array(pen.getImageData(Math.ceil(x * across), Math.round((y + .5) * down), Math.floor(2 * across) - 1, 1).data.buffer)));
+			return samples.length > 0 && inks.every((some) => some.size === 1 && !some.has(0));
+		}), Boolean);
 		if (scenario !== 'mode5') result('beside the legend, which is left', await page.evaluate(() => vectors.areas.some((area) => area.map && area.crossed.slice(0, area.rect[2]).every((cell) => cell === 0))));
 		result('over cells that keep theirs', /[\u2801-\u28ff\u2580-\u2588]{3}/.test(await screen()));
 		const seams = await page.evaluate(() => {
@@ -791,14 +797,15 @@ async function lines() {
 		await page.keyboard.press('F9');
 		await becomes('and the lines again', drawn, (count) => count > 2000);
 	}
-	const costs = (said) => page.evaluate((said) => {
+	const costs = (said, dear) => page.evaluate((said, dear) => {
 		notice(said);
-		vectors.turn(true);
-		Object.assign(vectors, {cost: 1e6, drawn: DRAWINGS});
+		vectors.turn(true, false);
+		vectors.costs = Array.from({length: DRAWINGS - 1}, (_, i) => (i < dear ? 100 : 1));
 		vectors.draw();
 		return vectors.on + ' ' + element('notice').textContent;
-	}, said);
-	const dear = [await costs(''), await costs('to be read')];
+	}, said, dear);
+	result('a few dear pictures leave the lines', /^true $/.test(await costs('', 15)));
+	const dear = [await costs('', 30), await costs('to be read', 30)];
 	result('where they cost too much they are characters, and it is said', /^false Lines are drawn as characters/.test(dear[0]), dear[0]);
 	result('but not over what is to be read', dear[1] === 'false to be read', dear[1]);
 	await open(one + '?scenario=two-discs');
@@ -956,6 +963,9 @@ async function answer_by_taps() {
 	result('an answer has a pad of numbers', pad, await text_of('#keys'));
 	for (const key of ['4', '2']) await tap_button(key);
 	await shows('which enters it', (text) => /your answer +42/.test(text));
+	await page.evaluate(() => element('hand-now').click());
+	await is_open('end-sheet');
+	result('at the end the keys are gone', await page.$eval('#keys', (keys) => getComputedStyle(keys).visibility === 'hidden'));
 	await page.evaluate(() => localStorage.clear());
 }
 
