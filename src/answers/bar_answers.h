@@ -85,7 +85,7 @@ void bar_read_out(const References *, const double *rows, size_t n_rows, int n_c
 
 int bar_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
 
-/* Whether the courant number is stable, by the material point method (Solver.limit). */
+/* Whether the Courant number is stable, by the material point method (Solver.limit). */
 bool bar_limit(const Settings *, char *advice, size_t size, Status *);
 
 /* The parameters that answers of the bar account for, by what they are about (Validity). */

@@ -35,7 +35,7 @@ const Choice choices[] = {
      "Burghardt 2011); held and ghost nodes as of uGIMP."},
     {CONCERN_BAR, METHOD_MPM, "mass blend, mu*", "not in the paper; both words are ours.",
      "M = (1 - mu) consistent + mu lumped, which finite elements have long known; mu* is the share, by "
-     "shape, particles and courant number, that leaves the frequency of small motions of a uniform bar an "
+     "shape, particles and Courant number, that leaves the frequency of small motions of a uniform bar an "
      "error of fourth order. From 0.05 on, B-splines mostly have none: else a nearly empty cell leaves no "
      "stable step."},
     {CONCERN_BAR, METHOD_MPM, "FMPM(k), and no XPIC", "not in the paper; words of the literature.",

@@ -238,7 +238,7 @@ static void tell_failing(const Telling *telling, char *out, size_t size)
     text_append(out, size, ", must be ");
     tell_limit(telling, out, size);
     if (isfinite(left)) {
-        /* The courant number with which a time step would be as long as it must be, where it comes from
+        /* The Courant number with which a time step would be as long as it must be, where it comes from
          * one. */
         enum { DIGITS = 5 };
         const Parameter *courant = parameter_find("time.courant");

@@ -54,7 +54,7 @@ bool batch_check_energy(Simulation *sim, Growth *growth, const GrowthNow *now, S
         batch_step_words(sim, now->unit, when, sizeof when);
         return simulation_fail(sim, status,
                                "the energy has grown to more than %g times what was put in, %s: the run is "
-                               "unstable (a smaller courant number, or %s)",
+                               "unstable (a smaller Courant number, or %s)",
                                energy_bound, when, now->advice);
     }
     while (growth->level < ENERGY_LEVELS && energy > energy_levels[growth->level] * reference) {

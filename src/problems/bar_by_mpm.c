@@ -152,7 +152,7 @@ static StepMode step_mode(const Settings *settings, const BarTheory *theory, int
     return bar_step_mode(&step, settings, theory, number);
 }
 
-/* The largest courant number dt c/dx, c that of the faster material, with which the bar at rest on its mesh
+/* The largest Courant number dt c/dx, c that of the faster material, with which the bar at rest on its mesh
  * stays bounded: the smaller of its own, and that of the waves of an endless mesh. Of a longer bar 32 cells,
  * whose limit is at most 1e-3 below: each end keeps its material, or both half of the cells. (A node that has
  * lost nearly all its mass to a crossing lowers it.) NAN: not enough memory. */
@@ -293,7 +293,7 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
     return true;
 }
 
-/* The largest courant number that is stable, asked for one that is not. The best mass blend depends on it:
+/* The largest Courant number that is stable, asked for one that is not. The best mass blend depends on it:
  * what is stable with the share of the step asked for need not be with its own, so the step falls until it
  * is. */
 static double stable_courant(const Settings *settings, double largest)

@@ -143,7 +143,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
     return n;
 }
 
-/* Below these courant numbers no mesh is near its limit, which is not worked out then. */
+/* Below these Courant numbers no mesh is near its limit, which is not worked out then. */
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
     const PlaneDef def = right_definition(settings);

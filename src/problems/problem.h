@@ -26,7 +26,7 @@ enum Concern {
     CONCERN_PULL = 1 << 10,     /* body force and traction at the ends */
     CONCERN_PRESSURE = 1 << 11, /* pressure on a stretch of the top */
     CONCERN_SUPPORTS = 1 << 12, /* supports at places of one's own */
-    CONCERN_STEP = 1 << 13,     /* the time step itself is given; with a mesh it is a courant number */
+    CONCERN_STEP = 1 << 13,     /* the time step itself is given; with a mesh it is a Courant number */
     CONCERN_WAVES = 1 << 14,    /* a pulse, and a second material that it meets */
     CONCERN_PLANE = 1 << 15,    /* cells with particles in the plane */
     CONCERN_SECTIONS = 1 << 16, /* ends held as whole sections, or at a point */
@@ -197,7 +197,7 @@ enum { DERIVED_MAX = 24 };
 
 int problem_derived(const Settings *, const Simulation *, Derived out[DERIVED_MAX]);
 
-/* Said before a run: the courant number against its limit, horizon over spacing outside 3 to 4. False: the
+/* Said before a run: the Courant number against its limit, horizon over spacing outside 3 to 4. False: the
  * run is refused, the status says why and what is allowed. `advice` is "" where there is nothing to say. */
 bool problem_advice(const Settings *, char *advice, size_t size, Status *);
 

@@ -65,7 +65,7 @@ bool plan_window(References *, const Simulation *, const char *series, long rows
 void readout_fit(const double *rows, size_t n_rows, int n_columns, int column, double start,
                  const double *ratios, int n_lines, Readout *);
 
-/* A Solver's limit where the largest stable courant number is known; `allowed`: what a refusal says of it. */
+/* A Solver's limit where the largest stable Courant number is known; `allowed`: what a refusal says of it. */
 bool problem_limit_courant(const Settings *, double largest, double allowed, char *text, size_t size,
                            Status *);
 

@@ -178,7 +178,7 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
     return wave;
 }
 
-/* The square of the courant number at which the wave of this angle begins to grow: there the trace comes to
+/* The square of the Courant number at which the wave of this angle begins to grow: there the trace comes to
  * -(1 + determinant), that is an eigenvalue to -1. The determinant alone never passes 1, as W <= g T and g
  * <= 1. */
 typedef struct Endless {

@@ -87,7 +87,7 @@ typedef struct Dispersion {
 
 Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double wave_number);
 
-/* The largest courant number dt c / dx at which no wave of the endless mesh grows: the least over the angles
+/* The largest Courant number dt c / dx at which no wave of the endless mesh grows: the least over the angles
  * of the mesh's dispersion relation. mesh->dt does not matter. (Of a bar with its ends: step_modes.h.) */
 double dispersion_endless_courant(const BarMesh *mesh);
 

@@ -289,7 +289,7 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
     const double low = least < -0.01 ? -axis_round_up(-1.02 * least) : -1;
     picture_axes(picture, axis_make(0, last > 1 ? last : 2), "mode n", "",
                  axis_make_root(low, most > 0.01 ? axis_round_up(1.02 * most) : 0),
-                 "error of w, % (square-root scale)", "");
+                 "error of ω, % (square-root scale)", "");
     /* the other ways have a letter on their curve, and a line below that names them */
     picture_key(picture, (PictureKey){LINE_SOLID, 'O', STYLE_MEASURED, "measured", 0x25cf, 0});
     if (screen_shows_exact(screen))

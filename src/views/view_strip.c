@@ -148,7 +148,7 @@ static void add_grid(const Bar *bar)
 }
 
 /* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node,
- * and is gone when the grid is put back. */
+ * and is gone when the grid is reset. */
 static void add_amounts(const Bar *bar, const char *field, const char *name, signed char right, bool put_back,
                         Style style)
 {
@@ -259,7 +259,7 @@ static void describe_bar(Strip *strip, const double *x0)
     add_links(&bar, flow);
     static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
                                         [FLOW_TO_PARTICLES] = "↓ particles take",
-                                        [FLOW_FORGET] = "the grid is put back"};
+                                        [FLOW_FORGET] = "the grid is reset"};
     const StripRow *row = &bar.strip->row;
     char text[96];
     if (row->shown < row->pieces)

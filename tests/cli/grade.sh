@@ -173,7 +173,7 @@ cat >points.lesson <<'END'
 @page Number
 @do open mode5
 @do set time.end 20
-@ask Its courant number?
+@ask Its Courant number?
 @answer time.courant within 1 %
 @points 2.5
 @page Choose

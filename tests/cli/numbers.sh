@@ -192,8 +192,8 @@ scenario=data/scenarios lesson=data/lessons
 # Why a mode is late is told with the same words wherever it is.
 tells_why() { # FILE
 	tr -d '"' <"$MATVIB_SRCDIR/$1" | tr -s '\n ' '  ' >text
-	grep -q "The lag has two parts, both from lumped masses: mapping to nodes and back is a filter (F" text &&
-		grep -q "), and the linear elements are too slow (K" text
+	grep -q "The lag has two parts, both due to the lumped mass matrix: mapping velocity to the nodes and back acts as a low-pass filter (F" text &&
+		grep -q "), and the linear elements vibrate too slowly (K" text
 }
 for file in doc/guide.md src/help/help_text.c $lesson/late.lesson $lesson/cure.lesson $lesson/filters.lesson; do
 	result "$file tells why mode 5 is late" tells_why $file
@@ -486,9 +486,9 @@ claim $scenario/mode5-peridynamics.ini "The frequency is " 1.2 " % too low" pred
 run mode5 --set mpm.algorithm=usl
 claim $lesson/energy.lesson "It loses " 82 " %" lost
 run mode5 --set mpm.algorithm=usl --set time.courant=0.05
-claim $lesson/energy.lesson "Half the size: " 59 " %" lost
+claim $lesson/energy.lesson "Half the step loses " 59 " %" lost
 run mode5 --set mpm.algorithm=usl --set time.courant=0.025
-claim $lesson/energy.lesson "(0.025): " 36 " %" lost
+claim $lesson/energy.lesson "(type 0.025) " 36 " %" lost
 run mode1 --set mpm.algorithm=usl
 claim $lesson/energy.lesson "" 0.03 " %. If you" lost
 run mode1 --set initial.velocity=1 --set mesh.padding=16 --end 1

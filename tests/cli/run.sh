@@ -232,7 +232,7 @@ expect "an unknown scenario" 2 mode99
 expect "an unknown option" 2 mode1 --serie x.csv
 result "asks whether it was meant" says err 'did you mean --series?'
 expect "bonds of a bar" 2 mode1 --bonds b.csv
-expect "an unstable courant number" 2 mode1 --set time.courant=1.8
+expect "an unstable Courant number" 2 mode1 --set time.courant=1.8
 result "is refused with both numbers" says err '^matvib: .*time.courant: 1.8 .*1.732'
 expect "one that only the ends do not stand" 2 mode1 --set mpm.shape=bspline2 --set mpm.algorithm=usl --set time.courant=1.2
 result "is refused with what they do" says err 'at most 0.99856, or time.unstable = yes)$'

@@ -30,7 +30,7 @@ double bar_case_wave_number(const BarCase *which, int mode);
 /* The simulation; stops the test if it cannot be made. */
 Simulation *bar_case_create(const BarCase *which);
 
-/* What its step predicts from its start; the largest stable courant number. */
+/* What its step predicts from its start; the largest stable Courant number. */
 StepModes *bar_case_modes(const BarCase *which);
 double bar_case_limit(const BarCase *which);
 

@@ -365,7 +365,7 @@ START_TEST(best_blend)
 }
 END_TEST
 
-/* Errors of the frequency of mode 5 in per cent, P = 2, by courant number and cells of 1, 1/2, 1/4, 1/8: of
+/* Errors of the frequency of mode 5 in per cent, P = 2, by Courant number and cells of 1, 1/2, 1/4, 1/8: of
  * second order with the share for C -> 0, of fourth with mu*(C). A reference solver's digits. */
 static const struct {
     double courant, still[4], best[4];

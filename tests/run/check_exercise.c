@@ -298,7 +298,7 @@ START_TEST(why_a_goal_is_missed_is_told)
 }
 END_TEST
 
-/* A cell of 25/55 and a courant number of .22: dt is 0.01 but for its last bit. */
+/* A cell of 25/55 and a Courant number of .22: dt is 0.01 but for its last bit. */
 START_TEST(numbers_are_compared_as_they_are_told)
 {
     HeldRun run = *held();

@@ -531,7 +531,7 @@ START_TEST(strain_moves_in_the_list)
         ck_assert_int_eq(line_with(words, "> 6 strain and stress"), usf + 3);
         snprintf(words, sizeof words, "%s stage 7 mpm.algorithm=musl", screens[i]);
         ck_assert_int_eq(line_with(words, "> 7 strain and stress"), usf + 4);
-        ck_assert_int_eq(line_with(words, "  8 forget the grid"), usf + 5);
+        ck_assert_int_eq(line_with(words, "  8 reset the grid"), usf + 5);
     }
 }
 END_TEST

@@ -265,8 +265,8 @@ START_TEST(legends_go_on_with_names)
 {
     static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
                                     {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL},
-                                    {LINE_SOLID, 'a', STYLE_FAINT, "FLIP 1, courant number 0.1", "a:"},
-                                    {LINE_SOLID, 'b', STYLE_FAINT, "courant number 0.1", "b:"}};
+                                    {LINE_SOLID, 'a', STYLE_FAINT, "FLIP 1, Courant number 0.1", "a:"},
+                                    {LINE_SOLID, 'b', STYLE_FAINT, "Courant number 0.1", "b:"}};
     for (int width = 36; width < 70; width++) {
         Canvas canvas = {0};
         ck_assert(canvas_open(&canvas, width, 3, NULL));
@@ -276,7 +276,7 @@ START_TEST(legends_go_on_with_names)
             named += legend_draw_short(area, 2, y, legend + named, 4 - named);
         char *dump = canvas_dump(&canvas);
         ck_assert_int_eq(named, 4);
-        ck_assert_msg(strstr(dump, "courant number 0.1") && strstr(dump, "b: "), "%s", dump);
+        ck_assert_msg(strstr(dump, "Courant number 0.1") && strstr(dump, "b: "), "%s", dump);
         ck_assert_msg(!strstr(dump, "a: b") && !strstr(dump, "a:  "), "%s", dump);
         free(dump);
         canvas_close(&canvas);

@@ -868,14 +868,14 @@ async function telephone() {
 	await shot('phone-pad');
 	for (let i = 0; i < 4; i++) await tap_button('⌫');
 	for (const key of ['0', '.', '2', 'Enter']) await tap_button(key);
-	await shows('which enters a number', (text) => /courant number +0\.2\b/.test(text));
+	await shows('which enters a number', (text) => /Courant number +0\.2\b/.test(text));
 	if (engine === engines.Chromium) {
 		await tap_button('?');
-		const {text: help} = await until((text) => !/courant number/.test(text));
+		const {text: help} = await until((text) => !/Courant number/.test(text));
 		await fingers([[200, 600]], [[200, 200]]);
 		await shows('a swipe scrolls the help', (text) => text !== help && text.split('\n')[0] === help.split('\n')[0]);
 		await tap_button('Esc');
-		await until((text) => /courant number/.test(text));
+		await until((text) => /Courant number/.test(text));
 	}
 	await page.setViewport({width: 915, height: 412, isMobile: true, hasTouch: true});
 	await shows('another size when it is turned', (text) => text.split('\n').length < 30 && has('Space')(text));

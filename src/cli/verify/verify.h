@@ -209,7 +209,7 @@ double quantity_energy_left_of_starts(VerifyRun *, const VerifyRow *);
 double quantity_energy_gained(VerifyRun *, const VerifyRow *);
 
 /* The bar: the smallest velocity with which a particle of the scenario leaves its cell, by bisection; the
- * largest courant number with which a motion of all waves stays bounded, likewise, between from and to. */
+ * largest Courant number with which a motion of all waves stays bounded, likewise, between from and to. */
 double quantity_crossing_velocity(VerifyRun *, const VerifyRow *);
 double quantity_courant_limit(VerifyRun *, const VerifyRow *);
 

@@ -480,7 +480,7 @@ static void integrate_particle(const Subject *subject)
 {
     const Mpm *mpm = subject->mpm;
     if (mpm->dim == 2)
-        calculation_write(subject->to, "nothing changes here: this stage is of nodes\n");
+        calculation_write(subject->to, "this stage changes nodes, not particles\n");
     for (size_t i = 0; mpm->dim == 1 && i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
             write_integrated(subject, (int)subject->links[i].index);

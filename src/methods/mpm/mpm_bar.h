@@ -59,7 +59,7 @@ typedef struct BarDef {
 
 /* The mass blend mu* that takes the error of order (dx/wavelength)^2 out of the frequency, that of the time
  * step included: what is left is of fourth order, for small motions of a uniform bar (transfer FLIP). C is
- * the courant number, of a bar of two materials that of the faster one; where the speeds differ no share
+ * the Courant number, of a bar of two materials that of the faster one; where the speeds differ no share
  * serves both.
  *
  *     mu*(C) = 1/2 - (B - C^2/12)/(2 A), at most 1

@@ -82,7 +82,7 @@ Simulation *plane_create(const PlaneDef *, Status *);
  * is asked on the way. False: the status says why (no memory, given up). */
 bool plane_predicted_period(const PlaneDef *, double *period, Status *);
 
-/* The largest stable courant number of the lattice on which particles start; hats whose particles have
+/* The largest stable Courant number of the lattice on which particles start; hats whose particles have
  * drifted stand less. Of a mesh too fine for its matrices that of an endless one, less a hundredth, which is
  * a lower bound. False: as above. */
 bool plane_courant_limit(const PlaneDef *, double *courant, Status *);

@@ -24,7 +24,7 @@ static double wave_speed(const PlaneDef *def)
     return sqrt(def->youngs_modulus / (def->density * (1 - def->poisson * def->poisson)));
 }
 
-/* dt = courant dx/c, s. Stable up to a courant number of about 1.7 (USF, MUSL) or .75 (USL) on the undeformed
+/* dt = courant dx/c, s. Stable up to a Courant number of about 1.7 (USF, MUSL) or .75 (USL) on the undeformed
  * lattice; less once particles have moved (plane_modes.c). */
 double plane_step(const PlaneDef *def)
 {

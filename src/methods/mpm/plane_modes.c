@@ -253,7 +253,7 @@ bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
 /* --- the largest step ----------------------------------------------------------------------------- */
 
 /* Of an endless mesh: waves along it with theta = k dx, K = 4 sin^2(theta/2), F = 1 - (1/3 + 1/(6 P^2)) (1 -
- * cos theta), and the courant number C of the largest of them: C^2 F K = 2 (1 + g), or C^2 K (1 - F/(1 + g))
+ * cos theta), and the Courant number C of the largest of them: C^2 F K = 2 (1 + g), or C^2 K (1 - F/(1 + g))
  * = 2. */
 static double endless_limit(const PlaneDef *def)
 {
@@ -307,7 +307,7 @@ static double largest_eigenvalue(Lattice2 *lattice)
     return linear_largest(lattice->size, (LinearMap){drive, lattice}, &stiffness, 1e-6, start);
 }
 
-/* The largest stable courant number of the undeformed beam, by its own matrices where they fit and the search
+/* The largest stable Courant number of the undeformed beam, by its own matrices where they fit and the search
  * for their largest eigenvalue converges, else of an endless mesh, less one per cent. Particles that have
  * moved can lower it: hats down to 1.39 of 1.72. */
 bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)

@@ -41,11 +41,10 @@ typedef enum Wording {
 /* FLIP with lumped masses; the other transfers below name only what they change. */
 static const Stage flip[OP_COUNT] = {
     [OP_MAP] = {"map", "map to nodes", "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i", "eqs. 2, 3",
-                "Every particle gives its mass and its momentum to the nodes around it, "
-                "each node its share N.",
+                "Each particle maps its mass and its momentum to the nodes around it, weighted with N.",
                 "x mass v", "mass momentum"},
     [OP_FIX] = {"fix", "boundary conditions", "p_i = 0 at fixed nodes", "paper M, step 2",
-                "A node at a support cannot move: its momentum is taken away, its mass stays.", "momentum",
+                "A node at a support cannot move: its momentum is set to 0, its mass stays.", "momentum",
                 "momentum velocity"},
     [OP_STRAIN] = {"strain", "strain and stress",
                    "v_i = p_i/m_i    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
@@ -54,26 +53,24 @@ static const Stage flip[OP_COUNT] = {
                    "the stress of the particles there grows, their density falls.",
                    "velocity stress density", "strain_increment stress strain density"},
     [OP_FORCE] = {"force", "nodal forces", "f_i = f_int + f_ext,   f_i = 0 at fixed nodes", "eqs. 10, 11, 12",
-                  "The stress of the particles pulls at their nodes, one way at the left, "
-                  "the other way at the right.",
+                  "The stress of a particle gives opposite forces on the nodes to its left and to its right.",
                   "stress density mass", "f_int f_ext f acceleration"},
     [OP_INTEGRATE] = {"integrate", "integrate momentum", "p_i ← p_i + Δt f_i", "eq. 13",
                       "Newton's law on the grid: in one time step the force changes the momentum of a node.",
                       "momentum f", "momentum velocity"},
-    [OP_UPDATE] = {"update", "update particles",
-                   "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i", "eqs. 14, 15",
-                   "A particle takes the acceleration of its nodes for its velocity, "
-                   "and moves with the velocity of the nodes.",
-                   "f mass momentum velocity", "v x u"},
+    [OP_UPDATE] =
+        {"update", "update particles", "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i",
+         "eqs. 14, 15",
+         "The acceleration of the nodes changes the velocity of a particle; it moves with their velocity.",
+         "f mass momentum velocity", "v x u"},
     [OP_MAP_AGAIN] = {"map_again", "map again", "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes",
                       "eq. 3 with the new v_p",
-                      "The nodes take their momentum from the particles' new velocities, "
-                      "so that the strain is made of what the particles now do.",
+                      "The particles map their new momentum to the nodes, so that the strain follows from "
+                      "the updated velocities.",
                       "mass v", "momentum velocity"},
-    [OP_FORGET] = {"forget", "forget the grid", "m_i, p_i, f_i are dropped; the mesh is where it was",
+    [OP_FORGET] = {"forget", "reset the grid", "m_i, p_i, f_i are dropped; the mesh is where it was",
                    "paper M, after eq. 15",
-                   "The particles keep everything; the mesh is put back empty, "
-                   "so it never gets tangled.",
+                   "The particles keep the whole state; the mesh begins the next step empty and undistorted.",
                    "x", "cell"},
 };
 
@@ -82,21 +79,20 @@ static const Stage blend[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
                                "x_p ← x_p + Δt Σ N_i p_i/m_i",
                    .source = "eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, "
-                               "which wipes out what the grid cannot see."},
+                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
+                               "motion in the null space."},
 };
 
 /* APIC with hats. */
 static const Stage apic_hat[OP_COUNT] = {
     [OP_MAP] = {.equation = "m_i = Σ m_p N_i      p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i",
                 .source = "eqs. 2, 3 with APIC",
-                .sentence = "Every particle gives its mass and its momentum to the nodes around it; "
-                            "C says how its velocity changes along it.",
+                .sentence = "Each particle maps its mass and its momentum to the nodes around it; C is its "
+                            "velocity gradient.",
                 .reads = "x mass v affine"},
     [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",
                    .source = "APIC, eq. 15",
-                   .sentence = "A particle takes its velocity from its nodes, "
-                               "and the slope of the velocity with it.",
+                   .sentence = "A particle takes its velocity and the velocity gradient from its nodes.",
                    .reads = "mass momentum velocity",
                    .writes = "v affine x u"},
     [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i,   p_i = 0 at fixed nodes",
@@ -115,13 +111,13 @@ static const Stage mass[OP_COUNT] = {
     [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      M v = p\n"
                             "M = (1 - μ) M_c + μ M_l      M_c = Σ m_p N_i N_j",
                 .source = "paper M, step 2, with a mass blend",
-                .sentence = "A node at a support cannot move; the velocities of all others follow together, "
-                            "as neighbouring nodes share the mass between them."},
+                .sentence = "A node at a support cannot move; the velocities of all others solve one system, "
+                            "because the mass matrix couples neighbours."},
     [OP_STRAIN] = {.equation = "M v = p    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
                    .source = "eqs. 5, 7, 8, 9"},
     [OP_FORCE] = {.equation = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .sentence = "The stress of the particles pulls at their nodes; "
-                              "how the nodes yield to it follows for all of them together."},
+                  .sentence = "The stress of the particles gives forces on the nodes; the accelerations of "
+                              "all nodes solve one system."},
     [OP_INTEGRATE] =
         {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i,   so that M v = p",
          .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node, "
@@ -137,8 +133,8 @@ static const Stage mass_blend[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i a_i) + (1 - α) Σ N_i v_i\n"
                                "x_p ← x_p + Δt Σ N_i v_i",
                    .source = "eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, "
-                               "which wipes out what the grid cannot see."},
+                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
+                               "motion in the null space."},
 };
 
 /* FMPM(k). */
@@ -146,20 +142,18 @@ static const Stage series[OP_COUNT] = {
     [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
                             "d_j+1 = d_j - Σ m_p N_i (Σ N_n d_j)/m_i,   0 at fixed nodes",
                 .source = "paper M, step 2, with FMPM(k)",
-                .sentence =
-                    "A node at a support cannot move; each term of the series puts right what the particles "
-                    "would not give back of the terms before.",
+                .sentence = "A node at a support cannot move; each term of the series restores a part of "
+                            "what mapping to particles and back removes.",
                 .reads = "momentum mass"},
     [OP_STRAIN] = {.equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)"},
     [OP_FORCE] = {.equation = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .sentence = "The stress of the particles pulls at their nodes; "
-                              "their accelerations follow from the forces as velocities do from momenta."},
+                  .sentence = "The stress of the particles gives forces on the nodes; accelerations follow "
+                              "from forces as velocities do from momenta."},
     [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p"},
     [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
                    .source = "FMPM",
-                   .sentence =
-                       "A particle takes its velocity from its nodes, nothing that they cannot see stays, "
-                       "and moves with the mean of both.",
+                   .sentence = "A particle takes its velocity from its nodes, without null-space motion, and "
+                               "moves with the mean of old and new.",
                    .reads = "velocity v"},
     [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
 };
@@ -173,40 +167,38 @@ static const Stage plane[OP_COUNT] = {
     [OP_MAP] = {NULL, NULL, "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i      N_i = N_x N_y",
                 "paper M, eqs. 2, 3, in the plane", NULL, "x y mass vx vy", "mass px py"},
     [OP_FIX] = {"hold", "supports", "held: p_x = m_i v₀,  p_y = 0", "paper M, step 2; paper P, eqs. 12, 13",
-                "A node that a support or the channel holds moves with it, and with nothing else.",
-                "mass px py", "px py vx vy"},
+                "A node held by a support or by the channel moves with it.", "mass px py", "px py vx vy"},
     [OP_STRAIN] = {NULL, NULL,
                    "v_i = p_i/m_i    Δε = Δt sym(Σ ∇N_i v_i)    σ ← σ + D Δε    ρ ← ρ/(1 + tr Δε)",
                    "paper M, eqs. 4 to 9, plane stress",
-                   "Where neighbouring nodes move apart or slide past each other the beam is strained, "
-                   "and the stress of the particles there follows.",
+                   "Where neighbouring nodes move apart or slide past each other the beam is strained, and "
+                   "the stress of the particles there changes.",
                    "vx vy sxx syy sxy density", "exx eyy gxy sxx syy sxy density"},
     [OP_FORCE] = {NULL, NULL, "f_i = -Σ σ_p · ∇N_i m_p/ρ_p", "paper M, eq. 10, in the plane",
-                  "The stress of the particles pulls at their nodes along and across the beam.",
+                  "The stress of the particles gives forces on the nodes along and across the beam.",
                   "sxx syy sxy density mass", "fx fy"},
-    [OP_FIX_FORCE] = {"hold_force", "supports on the force", "held: work ← work - f_x v₀ Δt,  then f = 0",
-                      "paper M, step 5",
-                      "Supports take the force of the nodes that they hold; "
-                      "a channel that draws the beam along does work.",
-                      "fx fy", "fx fy ax ay"},
+    [OP_FIX_FORCE] =
+        {"hold_force", "supports on the force", "held: work ← work - f_x v₀ Δt,  then f = 0",
+         "paper M, step 5",
+         "Supports carry the force of the nodes that they hold; a channel that moves the beam does work.",
+         "fx fy", "fx fy ax ay"},
     [OP_INTEGRATE] = {NULL, NULL, NULL, "paper M, eq. 13", NULL, "px py fx fy", "px py vx vy"},
     [OP_UPDATE] = {NULL, NULL, NULL, "paper M, eqs. 14, 15",
-                   "A particle takes the acceleration of its nodes and moves with their velocity; "
-                   "then the grid is forgotten.",
+                   "The acceleration of the nodes changes the velocity of a particle; it moves with their "
+                   "velocity. Then the grid is reset.",
                    "ax ay vx vy", "vx vy x y ux uy"},
     [OP_MAP_AGAIN] = {NULL, NULL, "p_i = Σ m_p v_p N_i", "paper M, eq. 3 with the new v_p", NULL,
                       "mass vx vy", "px py"},
     [OP_FIX_AGAIN] = {"hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0", "as before",
-                      "What was mapped again is held again.", "mass px py", "px py vx vy"},
+                      "The new momentum is constrained as before.", "mass px py", "px py vx vy"},
 };
 
 static const Stage plane_blend[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
                                "x_p ← x_p + Δt Σ N_i p_i/m_i",
                    .source = "paper M, eqs. 14, 15 with PIC",
-                   .sentence =
-                       "A particle takes part of its velocity from its nodes, which wipes out what the "
-                       "grid cannot see; then the grid is forgotten."},
+                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
+                               "motion in the null space. Then the grid is reset."},
 };
 
 static const Stage plane_turned[OP_COUNT] = {
@@ -215,31 +207,31 @@ static const Stage plane_turned[OP_COUNT] = {
 };
 
 static const Stage bodies[OP_COUNT] = {
-    [OP_MAP] = {NULL, NULL, "m_i = Σ m_p N_i      q_i = Σ m_p v_p N_i      N_i = N_x N_y",
-                "Sulsky, Chen, Schreyer 1994",
-                "Every particle gives its mass and its momentum to the nodes around it, "
-                "each body to its own field.",
-                NULL, "mass px py nx ny"},
-    [OP_FIX] =
-        {"fix", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
-         "Walls take the momentum that goes out of the box; where two bodies share a node and approach "
-         "each other, one gives the other the impulse that stops it.",
-         "mass px py nx ny", NULL},
+    [OP_MAP] =
+        {NULL, NULL, "m_i = Σ m_p N_i      q_i = Σ m_p v_p N_i      N_i = N_x N_y",
+         "Sulsky, Chen, Schreyer 1994",
+         "Each particle maps its mass and its momentum to the nodes around it, each body to its own field.",
+         NULL, "mass px py nx ny"},
+    [OP_FIX] = {"fix", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
+                "A wall cancels the momentum out of the box; where two bodies share a node and approach each "
+                "other, an impulse between them stops the approach.",
+                "mass px py nx ny", NULL},
     [OP_STRAIN] = {NULL, NULL, "L = Σ (q_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
                    "Hughes, Winget 1980",
                    "Where neighbouring nodes move apart, slide past each other or turn, the particles "
-                   "between them are strained and turned, and their stress follows.",
+                   "between them are strained and turned, and their stress changes.",
                    NULL, "sxx syy sxy density"},
     [OP_FORCE] = {NULL, NULL, "f_i = Σ (m_p g N_i - V_p σ_p · ∇N_i)", "Sulsky, Chen, Schreyer 1994",
-                  "Weight and the stress of the particles pull at their nodes.", NULL, NULL},
+                  "The weight and the stress of the particles give forces on the nodes.", NULL, NULL},
     [OP_INTEGRATE] = {NULL, NULL, "q_i ← q_i + Δt (f_i - α q_i)", "Newton",
                       "In one time step the force changes the momentum of a node.", NULL, NULL},
     [OP_FIX_MOVED] = {"fix_moved", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
-                      "What forces have pushed into a wall or into another body is stopped as before.",
+                      "The same conditions, for the momentum that the forces have changed.",
                       "mass px py nx ny", "px py vx vy"},
-    [OP_UPDATE] = {NULL, NULL, "v_p ← v_p + Σ N_i (q_i - q0_i)/m_i      x_p ← x_p + Δt Σ N_i q_i/m_i", "FLIP",
-                   "A particle takes the change of its nodes' velocity since the map, and moves with them.",
-                   "px py vx vy", NULL},
+    [OP_UPDATE] =
+        {NULL, NULL, "v_p ← v_p + Σ N_i (q_i - q0_i)/m_i      x_p ← x_p + Δt Σ N_i q_i/m_i", "FLIP",
+         "A particle takes the change of the nodal velocities in this step, and moves with the nodes.",
+         "px py vx vy", NULL},
     [OP_MAP_AGAIN] = {NULL, NULL, "q_i = Σ m_p v_p N_i", "MUSL", NULL, NULL, NULL},
     [OP_FIX_AGAIN] = {"fix_again", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
                       NULL, "mass px py nx ny", NULL},
@@ -249,21 +241,21 @@ static const Stage bodies_blend[OP_COUNT] = {
     [OP_UPDATE] = {.equation = "v_p ← α (v_p + Σ N_i (q_i - q0_i)/m_i) + (1 - α) Σ N_i q_i/m_i\n"
                                "x_p ← x_p + Δt Σ N_i q_i/m_i",
                    .source = "FLIP with a share of PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, which wipes "
-                               "out what the grid cannot see."},
+                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
+                               "motion in the null space."},
 };
 
 static const Stage bodies_apic[OP_COUNT] = {
     [OP_MAP] = {.equation =
                     "m_i = Σ m_p N_i      q_i = Σ m_p N_i (v_p + B_p D⁻¹ (x_i - x_p))      N_i = N_x N_y",
                 .source = "Jiang et al. 2015",
-                .sentence = "Every particle gives its mass and its momentum, with its gradient, to the "
-                            "nodes around it."},
-    [OP_UPDATE] = {.equation =
-                       "v_p ← Σ N_i q_i/m_i      B_p ← Σ N_i (q_i/m_i) (x_i - x_p)ᵀ      x_p ← x_p + Δt v_p",
-                   .source = "Jiang et al. 2015",
-                   .sentence = "A particle takes the velocity of its nodes and the gradient of it, so that "
-                               "turning is not lost."},
+                .sentence = "Each particle maps its mass and its momentum, with the velocity gradient, to "
+                            "the nodes around it."},
+    [OP_UPDATE] =
+        {.equation = "v_p ← Σ N_i q_i/m_i      B_p ← Σ N_i (q_i/m_i) (x_i - x_p)ᵀ      x_p ← x_p + Δt v_p",
+         .source = "Jiang et al. 2015",
+         .sentence =
+             "A particle takes the velocity of its nodes and its gradient, so that rotation is kept."},
 };
 
 static const Stage bodies_unturned[OP_COUNT] = {

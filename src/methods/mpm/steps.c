@@ -46,7 +46,7 @@ static bool judge(Mpm *mpm, MpmOp op, int first, int end, Status *status)
         mpm, status, worst,
         op != OP_STRAIN ? end_of(mpm, worst)
         : mpm->bodies
-            ? "was turned inside out (det F <= 0; a smaller courant number, gimp, musl or more particles)"
+            ? "was turned inside out (det F <= 0; a smaller Courant number, gimp, musl or more particles)"
         : mpm->dim == 1 ? "was crushed (1 + de <= 0)"
                         : "was crushed (1 + exx + eyy <= 0)");
 }

@@ -344,8 +344,8 @@ const char *legend_short_name(const char *name)
         {"measured", "meas"},
         {"displacement", "displ."},
         {"measured, middle row", "meas"},
-        {"error of w, % (square-root scale)", "% error, sqrt scale"},
-        {"% error, sqrt scale", "error of w, %"},
+        {"error of ω, % (square-root scale)", "% error, sqrt scale"},
+        {"% error, sqrt scale", "error of ω, %"},
         {"force, N/m^5", "f, N/m^5"},
         {"30° from the notch (paper)", "30° (paper)"},
     };
@@ -357,7 +357,7 @@ const char *legend_short_name(const char *name)
 
 enum { NAME_KINDS = 4 };
 
-/* The value alone of "courant number 0.1": its last word or, with its unit, from its number on. */
+/* The value alone of "Courant number 0.1": its last word or, with its unit, from its number on. */
 static const char *value_of(const char *name)
 {
     const char *value = name;

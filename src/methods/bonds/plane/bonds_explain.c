@@ -12,14 +12,14 @@
 #define VERLET_HALF_KICK(fields_read, fields_written)                                                        \
     {                                                                                                        \
         "half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",                           \
-            "The force of the last step gives every node half a step's worth of new velocity.", fields_read, \
+            "The force of the last step changes the velocity of each node over half a step.", fields_read,   \
             fields_written                                                                                   \
     }
 
 #define VERLET_DRIFT(fields_read, fields_written)                                                            \
     {                                                                                                        \
         "drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",                                             \
-            "Every node moves on with its half-step velocity.", fields_read, fields_written                  \
+            "Each node moves with its half-step velocity.", fields_read, fields_written                      \
     }
 
 #define VERLET_SECOND_KICK(says, fields_read, fields_written)                                                \
@@ -35,19 +35,21 @@ static const Stage stage_table[N_STAGES] = {
     [STAGE_CONSTRAINTS] = {"constraints", "supports", "uy = 0 at the supports, ux = 0 at the left one",
                            "eqs. 12, 13", "Supported nodes stay where they are.", "ux uy vx vy held",
                            "ux uy vx vy"},
-    [STAGE_BONDS] =
-        {"bonds", "bond forces",
-         "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken for ever\n"
-         "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
-         "eqs. 2, 3, 6, 8",
-         "Each bond pulls as much as it is stretched, or breaks; a node feels the sum of its family.",
-         "ux uy", "fx fy stretch broken broken_at"},
+    [STAGE_BONDS] = {"bonds", "bond forces",
+                     "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken\n"
+                     "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
+                     "eqs. 2, 3, 6, 8",
+                     "The force of a bond is in proportion to its stretch until it breaks; a node has the "
+                     "sum over its family.",
+                     "ux uy", "fx fy stretch broken broken_at"},
     [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, "eq. 8", NULL, "loaded fy",
                           "fy"}, /* by its terms */
-    [STAGE_SECOND_KICK] = VERLET_SECOND_KICK(
-        "The new force completes the step's velocity; supports hold again.", "vx vy fx fy held", "vx vy"),
+    [STAGE_SECOND_KICK] =
+        VERLET_SECOND_KICK("The new force completes the velocity of the step; supports hold again.",
+                           "vx vy fx fy held", "vx vy"),
     [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "eqs. 5, 6",
-                      "Damage of a node is the share of its family that it has lost.", "broken", "damage"},
+                      "The damage of a node is the fraction of its bonds that are broken.", "broken",
+                      "damage"},
 };
 
 /* Of a bar; nothing of it breaks. */
@@ -56,17 +58,17 @@ static const Stage line_stages[STAGE_DAMAGE] = {
     [STAGE_DRIFT] = VERLET_DRIFT("u v", "u x"),
     [STAGE_CONSTRAINTS] =
         {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0", "odd reflection",
-         "Beyond a fixed end the bar goes on as its own mirror image; a free end has nothing there.", "u",
-         "u"},
-    [STAGE_BONDS] = {"bonds", "bond forces",
-                     "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
-                     "f(i) = Σ c G w s V sign(ξ+η)",
-                     "eqs. 2, 3, 8",
-                     "Each bond pulls as much as it is stretched; a node feels the sum of its family.",
-                     "u family surface_factor", "force stress strain density strain_energy"},
+         "Beyond a fixed end lies a mirror image of the bar; beyond a free end there is nothing.", "u", "u"},
+    [STAGE_BONDS] =
+        {"bonds", "bond forces",
+         "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
+         "f(i) = Σ c G w s V sign(ξ+η)",
+         "eqs. 2, 3, 8",
+         "The force of a bond is in proportion to its stretch; a node has the sum over its family.",
+         "u family surface_factor", "force stress strain density strain_energy"},
     [STAGE_BODY_FORCE] = {"load", "loads", NULL, "eq. 8", NULL, "load force", "force"}, /* by its terms */
     [STAGE_SECOND_KICK] =
-        VERLET_SECOND_KICK("The new force completes the step's velocity.", "v force acceleration", "v"),
+        VERLET_SECOND_KICK("The new force completes the velocity of the step.", "v force acceleration", "v"),
 };
 
 /* The kicks of the steppings other than velocity Verlet, before the drift and after it. */
@@ -100,7 +102,7 @@ static void word_kicks(Stage *stages, Stepping stepping)
     }
     if (stepping != STEPPING_VERLET) {
         stages[STAGE_DRIFT].equation = "u(n+1) = u(n) + Δt v";
-        stages[STAGE_DRIFT].sentence = "Every node moves on with the velocity that it has now.";
+        stages[STAGE_DRIFT].sentence = "Each node moves with its present velocity.";
     }
 }
 
