@@ -295,10 +295,10 @@ claim src/answers/choices.c "nearer to the period (" .57 " off" predicted_period
 claim src/answers/choices.c "off, " .76 " from the frequency" predicted_error 1 5
 run mode5 --set mpm.transfer=apic --end 2
 cp measured k
-claim $lesson/late.lesson "linear elements are too slow (K, " 1.3 " %)" predicted_error
+claim $lesson/late.lesson "linear elements vibrate too slowly (K, " 1.3 " %)" predicted_error
 awk '$1 == "predicted_error" { print "filter", 100 * (1 - (1 - 0.042388) / (1 + $2 / 100)) }' measured >filter
 mv filter measured
-claim $lesson/late.lesson "is a filter (F, " 3.0 " %)" filter
+claim $lesson/late.lesson "low-pass filter (F, " 3.0 " %)" filter
 run mode5 --set mpm.transfer=apic --set mesh.cell_size=0.5 --end 2
 rest_of_k() { awk '$1 == "predicted_error" { part[++n] = $2 } END { print part[2] / part[1]; exit !(part[2] / part[1] > .23 && part[2] / part[1] < .27) }' k measured; }
 result "$lesson/homework-late.lesson: cells of half the size take three quarters of what is left" rest_of_k
