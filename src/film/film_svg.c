@@ -152,12 +152,15 @@ static Film *open_svg(FILE *stream, const FilmLook *look, Status *status)
     }
     for (size_t y = 0; y < height; y++)
         film->rows[y].cells = film->cells + y * width;
-    fprintf(stream,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-            "font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\" font-size=\"%d\" "
-            "xml:space=\"preserve\" style=\"white-space:pre\">\n<title>",
-            look->width * CELL_WIDTH, look->height * CELL_HEIGHT, look->width * CELL_WIDTH,
-            look->height * CELL_HEIGHT, FONT);
+    fprintf(
+        stream,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+        "font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\" font-size=\"%d\" "
+        "xml:space=\"preserve\">\n"
+        /* of each text: browsers have a rule of their own for it, which what it inherits does not change */
+        "<style>text{white-space:pre}</style>\n<title>",
+        look->width * CELL_WIDTH, look->height * CELL_HEIGHT, look->width * CELL_WIDTH,
+        look->height * CELL_HEIGHT, FONT);
     text_put_xml(stream, look->title);
     fputs("</title>\n", stream);
     put_rectangle(film, 0, 0, look->width * CELL_WIDTH, look->height * CELL_HEIGHT,

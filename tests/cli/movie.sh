@@ -30,6 +30,18 @@ result "and one on the way" grep -q 't 1.0' a.svg
 result "more than ten pictures" test "$(pictures a.svg)" -gt 10
 result "as many steps of the animation" test "$(grep -c 'translateX' a.svg)" -eq "$(pictures a.svg)"
 result "without animation the last is seen" is_last a.svg
+# a browser that folds blanks says less than is written
+if command -v chromium >/dev/null 2>&1; then
+	{
+		cat a.svg
+		echo '<script>document.title = [...document.querySelectorAll("text")].every(
+			text => text.getNumberOfChars() === text.textContent.length) ? "all blanks" : "blanks folded"</script>'
+	} >a.html
+	result "Chromium draws all of its blanks" sh -c "timeout 100 chromium --headless --no-sandbox --disable-gpu --user-data-dir=chromium \
+		--dump-dom 'file://$scratch/a.html' 2>/dev/null | grep -q '<title>all blanks'"
+else
+	skip "Chromium draws all of its blanks" "no Chromium"
+fi
 expect "the same again" 0 mode5 --end 2 --output b.svg
 result "has the same bytes" cmp a.svg b.svg
 expect "in a plain locale" 0 mode5 --end 2 --output c.cast
