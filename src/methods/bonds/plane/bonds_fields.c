@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The fields of a beam that front ends read (Simulation.fields): for each its
  * index, a row with name, unit and meaning, and the case that fills it. Everything is computed when it is
- * read, from the state as it stands, in mid-step too; nothing here is part of a step. Strain energy and
- * largest stretch of nodes, which need all bonds, go through the vector loops of bonds_shares.c. SI units. */
+ * read, from the state as it stands, in mid-step too; nothing here is part of a step. SI units. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
@@ -173,24 +172,6 @@ static double family_size(const Beam *beam, int i, int j)
     return (double)beam_family(beam, i, j, family);
 }
 
-/* Stress as the virial of the bonds' forces (Lehoucq, Silling 2008), y = x + u; near a surface it is that of
- * the family that is left:
- *
- *     sigma_ab(i) = 1/2 sum_j f_ij,a (y_j - y_i)_b V_j */
-static double stress(const Beam *beam, int field, int i, int j)
-{
-    BondPlace family[FAMILY_MAX];
-    const size_t count = beam_family(beam, i, j, family);
-    double sum = 0;
-    for (size_t k = 0; k < count; k++) {
-        const BondNow bond = beam_bond(beam, family[k]);
-        const double x = bond.direction_x, y = bond.direction_y;
-        const double length = beam->lattice.offsets[family[k].offset].length * (1 + bond.stretch);
-        sum += bond.pull * length * (field == F_SXX ? x * x : field == F_SYY ? y * y : x * y);
-    }
-    return 0.5 * sum;
-}
-
 /* At present: a column leaves the channel as time goes on. */
 static bool is_held(const Beam *beam, int i, int j)
 {
@@ -230,7 +211,92 @@ static void copy_array(const Beam *beam, const double *array, size_t first, size
     }
 }
 
-/* The value of one node's field; strain energy and stretch go over bonds (bonds_shares.c). */
+static const double no_stretch = -1; /* what no whole bond has */
+
+/* What `count` bonds side by side give to each of their ends; c: c G w V, 0 of a broken one. */
+static void bond_shares(const Beam *beam, int field, BondPlace first, int count, double *out)
+{
+    const Offset *offset = &beam->lattice.offsets[first.offset];
+    const size_t own = lattice_at(&beam->lattice, first.i, first.j);
+    const size_t other = lattice_at(&beam->lattice, first.i + offset->p, first.j + offset->q);
+    const double *const ux = beam->nodes.ux, *const uy = beam->nodes.uy;
+    const double *const c = beam->coefficient + lattice_slot(&beam->lattice, first);
+#pragma omp simd
+    for (int i = 0; i < count; i++)
+        out[i] = offset_stretch(offset, ux[other + (size_t)i] - ux[own + (size_t)i],
+                                uy[other + (size_t)i] - uy[own + (size_t)i]);
+    for (int i = 0; field == F_STRETCH && i < count; i++)
+        out[i] = c[i] != 0 ? out[i] : no_stretch;
+    for (int i = 0; field == F_STRAIN_ENERGY && i < count; i++)
+        out[i] = c[i] * out[i] * out[i] * offset->length * 0.5;
+    for (int i = 0; field >= F_SXX && field <= F_SXY && i < count; i++) {
+        const double x = offset->x + ux[other + (size_t)i] - ux[own + (size_t)i],
+                     y = offset->y + uy[other + (size_t)i] - uy[own + (size_t)i];
+        const double product = field == F_SXX ? x * x : field == F_SYY ? y * y : x * y;
+        out[i] *= 0.5 * c[i] / (offset->length * (1 + out[i])) * product;
+    }
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* What nodes [first, first + count) have of their bonds, b the thickness, y = x + u:
+ *
+ *     strain energy      1/2 sum_j c G w s^2 |xi| V^2/2 b     half of each bond's energy
+ *     largest stretch    max_j s over whole bonds             (eq. 3)
+ *     stress             1/2 sum_j f_ij,a (y_j - y_i)_b V_j   their virial (Lehoucq, Silling 2008), near a
+ *                                                             surface of the family that is left
+ *
+ * A view may colour by them in every frame, so a tile's bonds of one direction are taken at once, and each is
+ * given to both ends. A node meets its bonds in the same order whatever the range: its sum has the same bits.
+ */
+static void family_field(const Beam *beam, int field, size_t first, size_t count, double *out)
+{
+    const Lattice *lattice = &beam->lattice;
+    const int wide = lattice_wide(lattice), before = lattice->images[0];
+    const int low = (int)(first / (size_t)wide), high = (int)((first + count - 1) / (size_t)wide);
+    /* of a few nodes of a row only what reaches them */
+    const int left = low == high ? lattice_column(lattice, first) - lattice->reach : 0;
+    const int right = low == high ? lattice_column(lattice, first + count - 1) + lattice->reach : lattice->nx;
+    for (size_t k = 0; k < count; k++)
+        out[k] = field == F_STRETCH ? no_stretch : 0;
+    for (int j = low > lattice->rise ? low - lattice->rise : 0; j <= high; j++)
+        for (int o = 0; o < lattice->n_offsets; o++)
+            for (size_t tile = lattice->n_tiles; tile-- > 0;) {
+                const Offset *offset = &lattice->offsets[o];
+                const int p = offset->p, ends = lattice->nx - (p > 0 ? p : 0);
+                const int from = larger((int)lattice_tile(lattice, tile), larger(left, p < 0 ? -p : 0));
+                const int end = smaller((int)lattice_tile(lattice, tile + 1), smaller(right + 1, ends));
+                double shares[LATTICE_TILE];
+                if (from >= end || j + offset->q >= lattice->ny)
+                    continue;
+                bond_shares(beam, field, (BondPlace){from, j, o}, end - from, shares);
+                for (int k = 0; k < 2; k++) {
+                    /* of the ends in columns i + k p, whose nodes have numbers first + start + i */
+                    const int start = (j + k * offset->q) * wide + k * p - before - (int)first;
+                    const int lowest = larger(from, larger(-start, before - k * p));
+                    const int most = smaller(end, smaller((int)count - start, before + wide - k * p));
+                    for (int i = lowest; i < most; i++) {
+                        const double share = shares[i - from];
+                        double *value = &out[start + i];
+                        *value = field != F_STRETCH ? *value + share : share > *value ? share : *value;
+                    }
+                }
+            }
+    for (size_t k = 0; k < count; k++)
+        out[k] = field == F_STRAIN_ENERGY                     ? out[k] * beam->system.energy_scale
+                 : field == F_STRETCH && out[k] == no_stretch ? 0
+                                                              : out[k];
+}
+
+/* The value of one node's field. */
 static double node_field(const Beam *beam, int field, size_t node)
 {
     const Lattice *lattice = &beam->lattice;
@@ -259,10 +325,6 @@ static double node_field(const Beam *beam, int field, size_t node)
     case F_PROBE:
         return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
                (j == beam->probe_j[0] || j == beam->probe_j[1]);
-    case F_SXX:
-    case F_SYY:
-    case F_SXY:
-        return stress(beam, field, i, j);
     case F_PROTECTED:
         return beam->unbreakable[node];
     case F_X:
@@ -337,12 +399,9 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     field = sim->fields[field].kind;
     if (count == 0)
         return;
-    if (field == F_STRAIN_ENERGY) {
-        beam_strain_energies(beam, first, count, out);
-        return;
-    }
-    if (field == F_STRETCH) {
-        beam_largest_stretches(beam, first, count, out);
+    if (of_node && (field == F_STRAIN_ENERGY || field == F_STRETCH || field == F_SXX || field == F_SYY ||
+                    field == F_SXY)) {
+        family_field(beam, field, first, count, out);
         return;
     }
     if (array_of(beam, field)) {

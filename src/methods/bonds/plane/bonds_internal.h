@@ -249,11 +249,6 @@ double beam_kinetic(Beam *beam);
 void beam_set_fields(Beam *beam);
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 
-/* bonds_shares.c: half of the energy of the bonds of nodes [first, first + count), J; the largest stretch of
- * their live bonds, 0 where none is left. `count` is at least 1. */
-void beam_strain_energies(const Beam *beam, size_t first, size_t count, double *out);
-void beam_largest_stretches(const Beam *beam, size_t first, size_t count, double *out);
-
 /* bonds_family.c: one bond as it stands. */
 typedef struct BondNow {
     size_t a, b; /* nodes: the owner and the other end */
