@@ -136,7 +136,7 @@ int cli_sound(Options *options, Status *status)
     sound = sound && tune(&summary.readout, options->pitch, &tones, status) &&
             write_tones(options, &tones, status);
     if (sound && !options->quiet) {
-        const double cents = 1200 * math_log2(tones.measured / tones.exact);
+        const double cents = 1200 / M_LN2 * math_log(tones.measured / tones.exact);
         const char *unit = tones.in_hertz ? " Hz" : " per unit of time";
         printf("left: measured %.6g%s   right: exact %.6g%s   %.0f cents %s\n", tones.measured, unit,
                tones.exact, unit, fabs(cents), cents < 0 ? "flat" : "sharp");

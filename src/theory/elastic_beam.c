@@ -60,7 +60,8 @@ static double rayleigh_lamb(const BeamTheory *beam, double omega)
     const double slow = omega * omega * beam->density / beam->youngs_modulus;
     const double p = sqrt(k * k - slow * (1 - nu * nu)), q = sqrt(k * k - slow * 2 * (1 + nu));
     const double sum = k * k + q * q;
-    return sum * sum * math_tanh(p * a) - 4 * (k * k) * (p * q) * math_tanh(q * a);
+    const double tanh_p = math_sinh(p * a) / math_cosh(p * a), tanh_q = math_sinh(q * a) / math_cosh(q * a);
+    return sum * sum * tanh_p - 4 * (k * k) * (p * q) * tanh_q;
 }
 
 double beam_period_plane(const BeamTheory *beam)

@@ -68,7 +68,7 @@ bool oscillation_fit(const double *values, size_t stride, size_t count, double d
     double x[UNKNOWNS];
     if (!least_squares(values, stride, count, lag, squared, x))
         return false;
-    const double kept = squared ? math_cbrt(x[2]) : -x[1]; /* exp(-2 decay h) */
+    const double kept = squared ? math_pow(x[2], 1.0 / 3) : -x[1]; /* exp(-2 decay h) */
     const double cosine = squared ? (x[0] / kept - 1) / 2 : x[0] / (2 * sqrt(kept));
     if (!(kept > 0 && fabs(cosine) < 1))
         return false;

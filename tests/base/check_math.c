@@ -59,10 +59,6 @@ static double slow_log(double x)
 {
     return accurate_log(x, math_log(x));
 }
-static double slow_log2(double x)
-{
-    return accurate_log2(x, math_log(x));
-}
 static double slow_log10(double x)
 {
     return accurate_log10(x, math_log(x));
@@ -70,10 +66,6 @@ static double slow_log10(double x)
 static double slow_log1p(double x)
 {
     return accurate_log1p(x, math_log1p(x));
-}
-static double slow_cbrt(double x)
-{
-    return accurate_cbrt(x, math_cbrt(x));
 }
 static double slow_pow(double x, double y)
 {
@@ -132,13 +124,6 @@ static const struct {
      -1e9,
      1e308,
      {0x1.6ac5b262ca1ffp+849, 0x1p+1023, 0x1.921fb54442d18p+0}},
-    {"tan",
-     math_tan,
-     accurate_tan,
-     BY(tan),
-     -1e-9,
-     1e9,
-     {0x1.dffffffffff1fp-22, 0x1.67fffffffe845p-19, 0x1.50486b2f87014p-5}},
     {"asin",
      math_asin,
      slow_asin,
@@ -175,13 +160,6 @@ static const struct {
      -1e-9,
      711,
      {0x1.ea5f2f2e4b0c5p+1, 0x1.da5df035e5e8dp-22, 0x1p-26}},
-    {"tanh",
-     math_tanh,
-     accurate_tanh,
-     BY(tanh),
-     -1e-9,
-     19,
-     {0x1.e0000000000e1p-22, 0x1.68000000017bbp-19, 0x1.ac343b179fec4p-3}},
     {"exp",
      math_exp,
      accurate_exp,
@@ -210,13 +188,6 @@ static const struct {
      0.5,
      2,
      {0x1.0000000000001p+0, 0x1.fffffffffffffp-1, 0x1.0020000000001p+0}},
-    {"log2",
-     math_log2,
-     slow_log2,
-     BY(log2),
-     1e-310,
-     1e308,
-     {0x1.1ba39ff28e3eap-8, 0x1.1ba39ff28e3eap+7, 0x1p-1074}},
     {"log10",
      math_log10,
      slow_log10,
@@ -226,13 +197,6 @@ static const struct {
      {0x1.e12d66744ff81p+429, 0x1.ed8c87c3bf5cfp-49, 0x1.c295d530e7d8fp+184}},
     {"log1p", math_log1p, slow_log1p, BY(log1p), -1e-300, 0.99, {-0x1.fffffffffffffp-1, 0x1p-52, 0x1p-53}},
     {"log1p", math_log1p, slow_log1p, BY(log1p), 0.1, 1e308, {0x1p+53, 0x1.fffffffffffffp-1, 1}},
-    {"cbrt",
-     math_cbrt,
-     slow_cbrt,
-     BY(cbrt),
-     -1e-310,
-     1e308,
-     {0x1.9b78223aa307cp+1, 0x1.a202bfc89ddffp-1, 0x1.e24ad800f33a2p+0}},
     {"erf",
      math_erf,
      accurate_erf,
@@ -377,19 +341,15 @@ START_TEST(hardest_arguments)
     } known[] = {
         {math_sin, 0x1.598bae9e632f6p-7, 0x1.598a0aea48996p-7},
         {math_cos, 0x1.34ec2f9fc9cp+1, -0x1.7e2a5c30e1d6dp-1},
-        {math_tan, 0x1.dffffffffff1fp-22, 0x1.e000000000151p-22},
         {math_asin, 0x1.c373ff4aad79bp-14, 0x1.c373ff594d65bp-14},
         {math_acos, 0x1.53ea6c7255e88p-4, 0x1.7cdacb6bbe707p+0},
         {math_atan, 0x1.6298b5896ed3cp+1, 0x1.3970e827504c7p+0},
         {math_sinh, 0x1.897374d74de2ap-13, 0x1.897374fe073e2p-13},
         {math_cosh, 0x1.ea5f2f2e4b0c5p+1, 0x1.710db0cd0fed6p+4},
-        {math_tanh, 0x1.e0000000000e1p-22, 0x1.dfffffffffeafp-22},
         {math_exp, -0x1.12d31a20fb38bp+5, 0x1.5b0bf3244820ap-50},
         {math_expm1, 0x1.274bbf1efb1a2p-10, 0x1.2776572c2512ap-10},
         {math_log, 0x1.fd15daa6ce332p+732, 0x1.fc12387d0632ap+8},
-        {math_log2, 0x1.1ba39ff28e3eap+7, 0x1.c97767bb6b1e7p+2},
         {math_log10, 0x1.e12d66744ff81p+429, 0x1.02d4f53729e45p+7},
-        {math_cbrt, 0x1.9b78223aa307cp+1, 0x1.79d15d0e8d59cp+0},
         {math_erf, 0x1.51f3182edb17ap-36, 0x1.7d55d48a2fd8dp-36},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
@@ -417,8 +377,6 @@ START_TEST(limits_are_those_of_the_standard)
         {math_sin(inf), NAN},
         {math_cos(inf), NAN},
         {math_cos(0), 1},
-        {math_tan(-0.0), -0.0},
-        {math_tan(-inf), NAN},
         {math_asin(1), pi.high / 2},
         {math_asin(-0.0), -0.0},
         {math_asin(1.5), NAN},
@@ -442,9 +400,6 @@ START_TEST(limits_are_those_of_the_standard)
         {math_sinh(720), inf},
         {math_cosh(-inf), inf},
         {math_cosh(0), 1},
-        {math_tanh(-0.0), -0.0},
-        {math_tanh(-inf), -1},
-        {math_tanh(30), 1},
         {math_exp(0), 1},
         {math_exp(-inf), 0},
         {math_exp(inf), inf},
@@ -459,7 +414,6 @@ START_TEST(limits_are_those_of_the_standard)
         {math_log(1), 0},
         {math_log(-1), NAN},
         {math_log(inf), inf},
-        {math_log2(8), 3},
         {math_log10(1000), 3},
         {math_log10(1e-5), -5},
         {math_log1p(-0.0), -0.0},
@@ -482,9 +436,6 @@ START_TEST(limits_are_those_of_the_standard)
         {math_pow(2, -1080), 0},
         {math_pow(3, 1e-200), 1},
         {math_pow(-1, 0x1p60), 1},
-        {math_cbrt(-0.0), -0.0},
-        {math_cbrt(-inf), -inf},
-        {math_cbrt(-27), -3},
         {math_hypot(-inf, NAN), inf},
         {math_hypot(NAN, 1), NAN},
         {math_hypot(-3, 0), 3},
@@ -496,9 +447,9 @@ START_TEST(limits_are_those_of_the_standard)
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
         ck_assert_msg(same(limits[i].got, limits[i].wanted), "row %zu: %a, not %a", i, limits[i].got,
                       limits[i].wanted);
-    static Function *const of_nan[] = {math_sin,  math_cos,   math_tan,   math_asin, math_acos,  math_atan,
-                                       math_sinh, math_cosh,  math_tanh,  math_exp,  math_expm1, math_log,
-                                       math_log2, math_log10, math_log1p, math_cbrt, math_erf};
+    static Function *const of_nan[] = {math_sin,   math_cos,   math_asin, math_acos,  math_atan,
+                                       math_sinh,  math_cosh,  math_exp,  math_expm1, math_log,
+                                       math_log10, math_log1p, math_erf};
     for (size_t i = 0; i < sizeof of_nan / sizeof *of_nan; i++)
         ck_assert(isnan(of_nan[i](NAN)));
 }
@@ -514,11 +465,6 @@ static DoubleDouble quick_sine(double x)
 static DoubleDouble quick_cosine(double x)
 {
     return sine(reduced(x), 1);
-}
-static DoubleDouble quick_tangent(double x)
-{
-    const Angle of = reduced(x);
-    return dd_divide(sine(of, 0), sine(of, 1));
 }
 static DoubleDouble quick_exp(double x)
 {
@@ -544,11 +490,6 @@ static DoubleDouble quick_cosh(double x)
 {
     return dd_scaled(double_cosh(x), 0.5);
 }
-static DoubleDouble quick_tanh(double x)
-{
-    return dd_divide(double_sinh(x), double_cosh(x));
-}
-
 static const struct {
     const char *name;
     DoubleDouble (*quick)(double);
@@ -558,14 +499,11 @@ static const struct {
     {"sin", quick_sine, BY(sin), 1e-3, 1e9, ERROR_SINE},
     {"sin", quick_sine, BY(sin), 1e-3, 1, ERROR_SINE},
     {"cos", quick_cosine, BY(cos), 1e-3, 1e9, ERROR_SINE},
-    {"tan", quick_tangent, BY(tan), 1e-3, 1e9, ERROR_TANGENT},
     {"exp", quick_exp, BY(exp), -1e-6, 680, ERROR_EXP},
     {"expm1", small_expm1, BY(expm1), -1e-6, 0.34, ERROR_EXPM1},
     {"sinh", quick_sinh, BY(sinh), 1e-6, 0.34, ERROR_EXPM1},
     {"sinh", quick_sinh, BY(sinh), 0.34, 680, ERROR_SINH},
     {"cosh", quick_cosh, BY(cosh), 1e-6, 680, ERROR_EXP},
-    {"tanh", quick_tanh, BY(tanh), 1e-6, 0.34, ERROR_EXPM1},
-    {"tanh", quick_tanh, BY(tanh), 0.34, 20, ERROR_SINH},
     {"erf", double_erf, BY(erf), 1e-6, 5.9, ERROR_ERF},
     {"log", quick_log, BY(log), 1e-300, 1e300, ERROR_LOG},
     {"log", quick_log, BY(log), 0.7, 1.4, ERROR_LOG},
@@ -592,7 +530,7 @@ START_TEST(quick_results_are_better_than_they_claim)
     }
     mpfr_clears(x, wanted, got, (mpfr_ptr)0);
     ck_assert_msg(worst > 0 && worst < errors[_i].bound / 2, "%s: 2^%.2f, claimed 2^%.2f", errors[_i].name,
-                  math_log2(worst), math_log2(errors[_i].bound));
+                  math_log(worst) / M_LN2, math_log(errors[_i].bound) / M_LN2);
 }
 END_TEST
 #endif
@@ -616,7 +554,7 @@ START_TEST(angles_are_reduced_to_the_last_bits)
         mpfr_add_d(got, got, value.low, MPFR_RNDN);
         mpfr_reldiff(got, wanted, got, MPFR_RNDN);
         const double error = mpfr_get_d(got, MPFR_RNDN);
-        ck_assert_msg(error < ERROR_SINE, "%a: 2^%.2f", at, math_log2(error));
+        ck_assert_msg(error < ERROR_SINE, "%a: 2^%.2f", at, math_log(error) / M_LN2);
         judged++;
     }
     mpfr_clears(x, wanted, got, (mpfr_ptr)0);

@@ -314,11 +314,6 @@ double accurate_cos(double x)
     return wide_to_double(sine(x, 1));
 }
 
-double accurate_tan(double x)
-{
-    return wide_to_double(wide_divide(sine(x, 0), sine(x, 1)));
-}
-
 /* the angle of (x, y): near + atan z, z = (y cos near - x sin near)/(x cos near + y sin near), |z| < 2^-40,
  * and z^7/7 is too little. A z^2 that would be lost beside 1 is made larger: the angle is below z, which may
  * lie in the middle of two subnormal numbers. */
@@ -409,13 +404,6 @@ double accurate_cosh(double x)
     return wide_to_double(wide_scaled(wide_add(e, wide_divide(one(), e)), -1));
 }
 
-/* tanh x = e/(e + 2), e = e^(2 x) - 1 */
-double accurate_tanh(double x)
-{
-    const Wide e = exponential_less_1(wide_scaled(wide_of(x), 1));
-    return wide_to_double(wide_divide(e, wide_add(e, wide_of(2))));
-}
-
 /* erf x = 2/sqrt(pi) e^(-x^2) x sum (2 x^2)^n/(1 3 5 ... (2 n + 1)): all terms are positive (Abramowitz and
  * Stegun 7.1.6) */
 double accurate_erf(double x)
@@ -460,11 +448,6 @@ double accurate_log(double x, double near)
     return wide_to_double(natural(x, near));
 }
 
-double accurate_log2(double x, double near_log)
-{
-    return wide_to_double(wide_divide(natural(x, near_log), ln2));
-}
-
 double accurate_log10(double x, double near_log)
 {
     return wide_to_double(wide_divide(natural(x, near_log), ln10));
@@ -480,17 +463,6 @@ double accurate_log1p(double x, double near)
 double accurate_pow(double x, double y, double near_log)
 {
     return wide_to_double(wide_rounded(exponential(wide_multiply(wide_of(y), natural(x, near_log))), 5));
-}
-
-/* y <- y + (x/y^2 - y)/3 */
-double accurate_cbrt(double x, double near)
-{
-    Wide root = wide_of(near);
-    for (int i = 0; i < 2; i++)
-        root = wide_add(
-            root,
-            wide_divide_small(wide_subtract(wide_divide(wide_of(x), wide_multiply(root, root)), root), 3));
-    return wide_to_double(root);
 }
 
 /* Roots too; others are further from a middle than 2^-160: x^2 + y^2 and the middle's square are multiples of

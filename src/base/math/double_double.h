@@ -96,21 +96,17 @@ static inline DoubleDouble dd_root(DoubleDouble a)
 
 double accurate_sin(double);
 double accurate_cos(double);
-double accurate_tan(double);
 double accurate_asin(double, double near);
 double accurate_acos(double, double near);
 double accurate_atan2(double y, double x, double near);
 double accurate_sinh(double);
 double accurate_cosh(double);
-double accurate_tanh(double);
 double accurate_exp(double);
 double accurate_expm1(double);
 double accurate_log(double, double near);
-double accurate_log2(double, double near_log); /* near_log: of the natural one */
-double accurate_log10(double, double near_log);
+double accurate_log10(double, double near_log); /* near_log: of the natural one */
 double accurate_log1p(double, double near);
 double accurate_pow(double x, double y, double near_log); /* x > 0; near_log: of log x */
-double accurate_cbrt(double, double near);
 double accurate_hypot(double x, double y);
 double accurate_erf(double);
 

@@ -15,7 +15,6 @@
 enum { FIRST_EXP = -23, FIRST_LOG = 45 };
 
 static const DoubleDouble pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53},
-                          ln2 = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56},
                           ln10 = {0x1.26bb1bbb55516p+1, -0x1.f48ad494ea3e9p-53},
                           two_by_root_pi = {0x1.20dd750429b6dp+0, 0x1.1ae3a914fed80p-56};
 
@@ -25,10 +24,9 @@ static const double half_pi_parts[] = {0x1.921fb4p+0, 0x1.4442dp-24, 0x1.846988p
 
 /* errors of the quick results, of themselves; tests measure less than half of it */
 #define ERROR_SINE    0x1p-64
-#define ERROR_TANGENT 0x1p-64
 #define ERROR_ANGLE   0x1p-65
 #define ERROR_EXP     0x1p-65
-#define ERROR_SINH    0x1p-63 /* from 0.34 on; tanh too */
+#define ERROR_SINH    0x1p-63 /* from 0.34 on */
 #define ERROR_EXPM1   0x1p-58 /* and both below */
 #define ERROR_ERF     0x1p-64
 #define ERROR_LOG     0x1p-67
@@ -113,16 +111,6 @@ double math_cos(double x)
     if (!isfinite(x))
         return NAN;
     return is_settled(sine(reduced(x), 1), ERROR_SINE, &rounded) ? rounded : accurate_cos(x);
-}
-
-double math_tan(double x)
-{
-    double rounded;
-    if (!isfinite(x) || x == 0)
-        return x == 0 ? x : NAN;
-    const Angle angle = reduced(x);
-    return is_settled(dd_divide(sine(angle, 0), sine(angle, 1)), ERROR_TANGENT, &rounded) ? rounded
-                                                                                          : accurate_tan(x);
 }
 
 /* the angle of (x, y), both > 0: atan(y/x) = atan(i/64) + atan z, z = (y - x i/64)/(x + y i/64), y <= x */
@@ -295,15 +283,6 @@ double math_cosh(double x)
     return is_settled(dd_scaled(double_cosh(fabs(x)), 0.5), ERROR_EXP, &rounded) ? rounded : accurate_cosh(x);
 }
 
-double math_tanh(double x)
-{
-    if (!(fabs(x) < 20) || x == 0)
-        return isnan(x) || x == 0 ? x : copysign(1, x);
-    double rounded;
-    const DoubleDouble value = dd_divide(double_sinh(fabs(x)), double_cosh(x));
-    return is_settled(dd_scaled(value, copysign(1, x)), error_sinh(x), &rounded) ? rounded : accurate_tanh(x);
-}
-
 /* erf x = 2/sqrt(pi) e^(-x^2) x sum (2 x^2)^n/(1 3 5 ... (2 n + 1)), as accurate_erf: all terms are positive.
  * Those left out are below 2^-70 of it. */
 static DoubleDouble double_erf(double x)
@@ -364,15 +343,6 @@ double math_log(double x)
     return is_settled(value, ERROR_LOG, &rounded) ? rounded : accurate_log(x, value.high);
 }
 
-double math_log2(double x)
-{
-    double rounded;
-    if (has_limit(x, &rounded))
-        return rounded;
-    const DoubleDouble value = logarithm(exact(x));
-    return is_settled(dd_divide(value, ln2), ERROR_LOG, &rounded) ? rounded : accurate_log2(x, value.high);
-}
-
 double math_log10(double x)
 {
     double rounded;
@@ -427,24 +397,6 @@ double math_pow(double x, double y)
     return sign * (size == 1 ? 1 : positive_power(size, y));
 }
 
-/* y + (x - y^3)/(3 y^2) */
-double math_cbrt(double x)
-{
-    if (!isfinite(x) || x == 0)
-        return x;
-    int exponent;
-    double m = frexp(fabs(x), &exponent);
-    while (exponent % 3 != 0)
-        m /= 2, exponent++;
-    const double near = exponential(dd_divide(logarithm(exact(m)), exact(3))).high;
-    const DoubleDouble cube = dd_multiply(dd_product(near, near), exact(near));
-    const double change = dd_add(exact(m), dd_negative(cube)).high / (3 * near * near);
-    double rounded;
-    if (!is_settled(dd_sum_quick(near, change), ERROR_ALGEBRA, &rounded))
-        rounded = accurate_cbrt(m, near);
-    return copysign(ldexp(rounded, exponent / 3), x);
-}
-
 double math_hypot(double x, double y)
 {
     if (isinf(x) || isinf(y))
@@ -478,13 +430,11 @@ double math_hypot(double x, double y)
     }
 FOR_LIBRARIES(sin)
 FOR_LIBRARIES(cos)
-FOR_LIBRARIES(tan)
 FOR_LIBRARIES(asin)
 FOR_LIBRARIES(acos)
 FOR_LIBRARIES(atan)
 FOR_LIBRARIES(sinh)
 FOR_LIBRARIES(cosh)
-FOR_LIBRARIES(tanh)
 FOR_LIBRARIES(exp)
 FOR_LIBRARIES(expm1)
 FOR_LIBRARIES(log)

@@ -17,22 +17,18 @@
 
 double math_sin(double);
 double math_cos(double);
-double math_tan(double);
 double math_asin(double);
 double math_acos(double);
 double math_atan(double);
 double math_atan2(double y, double x);
 double math_sinh(double);
 double math_cosh(double);
-double math_tanh(double);
 double math_exp(double);
 double math_expm1(double);
 double math_log(double);
-double math_log2(double);
 double math_log10(double);
 double math_log1p(double);
 double math_pow(double x, double y);
-double math_cbrt(double);
 double math_hypot(double x, double y); /* sqrt(x^2 + y^2) */
 double math_erf(double);
 

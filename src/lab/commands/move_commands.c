@@ -251,7 +251,10 @@ void command_map_magnify(Screen *screen, int direction)
 {
     const double most = fmax(FIRST_MAGNIFIED, (double)screen_simulation(screen)->columns / 4);
     const double wanted = direction > 0 ? 2 * screen->eye.magnified : screen->eye.magnified / 2;
-    screen->eye.magnified = limited(wanted, 1, ldexp(1, (int)ceil(math_log2(most))));
+    double limit = 1; /* the next power of 2 */
+    while (limit < most)
+        limit *= 2;
+    screen->eye.magnified = limited(wanted, 1, limit);
 }
 
 void command_map_pan(Screen *screen, int x, int y)
