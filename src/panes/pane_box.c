@@ -304,7 +304,7 @@ static void draw_summary(const Screen *screen, Area area)
                  STYLE_NORMAL);
 }
 
-enum { LEAST = 4 }; /* rows in which there is more to be said than a heading */
+enum { BOX_LEAST = 4 }; /* rows in which there is more to be said than a heading */
 
 static bool is_between_steps(const Screen *screen)
 {
@@ -314,7 +314,8 @@ static bool is_between_steps(const Screen *screen)
 bool screen_shows_diagnosis(const Screen *screen, int width, int height)
 {
     const Rect box = screen_pane(screen, width, height, PANE_BOX);
-    return screen->diagnosis[0] && is_between_steps(screen) && box.height - pane_runs_rows(screen) >= LEAST;
+    return screen->diagnosis[0] && is_between_steps(screen) &&
+           box.height - pane_runs_rows(screen) >= BOX_LEAST;
 }
 
 /* True: the ghosts are named in it. */
@@ -323,7 +324,7 @@ static bool draw_box(const Screen *screen, Area area)
     const bool between = is_between_steps(screen);
     const int table = between ? pane_runs(screen, area) : 0;
     area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
-    if (table > 0 && area.rect.height < LEAST)
+    if (table > 0 && area.rect.height < BOX_LEAST)
         return true;
     if (screen->diagnosis[0] && between) {
         /* It stays until the series beside it goes. */
