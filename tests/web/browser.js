@@ -776,11 +776,11 @@ async function lines() {
 		await becomes(`${scenario}: the picture comes as lines`, () => page.evaluate(() => vectors.areas.map((area) => area.strokes.length + (area.map ? ' map' : ''))),
 			(found) => found.some((area) => parseInt(area) > 0) && found.some((area) => / map/.test(area)) === (scenario !== 'mode5'));
 		await becomes('which are drawn', drawn, (count) => count > 2000);
-		await becomes('and a solid one in the legend', () => page.evaluate(() => {
+		await becomes('and solid ones in the legend', () => page.evaluate(() => {
 			const samples = vectors.areas.filter(({rect}) => rect[2] === 2 && rect[3] === 1), pen = vectors.canvas.getContext('2d');
 			const across = vectors.canvas.width / term.cols, down = vectors.canvas.height / term.rows;
 			const inks = samples.map(({rect: [x, y]}) => new Set(new Uint32Array(pen.getImageData(Math.ceil(x * across), Math.round((y + .5) * down), Math.floor(2 * across) - 1, 1).data.buffer)));
-			return samples.length > 0 && inks.every((some) => some.size === 1 && !some.has(0));
+			return samples.length > 0 && inks.every((some, i) => samples[i].strokes[0].line > 0 || (some.size === 1 && !some.has(0)));
 		}), Boolean);
 		if (scenario !== 'mode5') result('beside the legend, which is left', await page.evaluate(() => vectors.areas.some((area) => area.map && area.crossed.slice(0, area.rect[2]).every((cell) => cell === 0))));
 		result('over cells that keep theirs', /[\u2801-\u28ff\u2580-\u2588]{3}/.test(await screen()));

@@ -341,7 +341,8 @@ static void draw_plot(Picture *picture, Area area, Style heading, int colours)
         const int fill = solid && area.glyphs != GLYPHS_ASCII ? 0 : key->fill;
         const char *sign = sign_text(key->sign, fill, area.glyphs, signs[i]);
         if (!is_foreign(key))
-            legend[n_legend++] = (Legend){key->line, key->ascii, key->style, key->name, sign};
+            legend[n_legend++] = (Legend){key->line, key->ascii, key->style,
+                                          key->name, sign,       key->sign == SIGN_BAND ? 1 + (fill & 3) : 0};
     }
     cells_fit(picture, area.rect.height);
     if (!drawing)

@@ -74,6 +74,7 @@ typedef struct Legend {
     Style style;
     const char *name;
     const char *key; /* what stands for it, 2 columns; NULL: a piece of the line */
+    int band;        /* 1 and a band's fill; 0: no band */
 } Legend;
 
 /* Draws entries of a legend from column x on as far as there is room; returns how many. */

@@ -312,6 +312,12 @@ Rect cells_below(const Picture *picture, Rect rect)
 
 enum { GAP_MOST = 2 }; /* behind an entry */
 
+static bool is_dots(const char *key)
+{
+    const uint32_t glyph = glyph_next(&key);
+    return glyph >= 0x2800 && glyph < 0x2900;
+}
+
 static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, int n_legend)
 {
     for (int i = 0; i < n_legend; i++) {
@@ -322,9 +328,14 @@ static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, 
         const char *key =
             legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
         area_text(area, x, y, key, legend[i].style);
-        if (!legend[i].key && legend[i].line == LINE_SOLID) /* two cells of dots are no line */
-            canvas_vector(area.canvas, ";A%d,%d,2,1;L%d,%d,0 0,8 32,8", area.rect.x + x, area.rect.y + y,
-                          (int)legend[i].style, (int)LINE_SOLID);
+        if (is_dots(key)) { /* the line or the band itself, for a terminal that draws it finer */
+            canvas_vector(area.canvas, ";A%d,%d,2,1", area.rect.x + x, area.rect.y + y);
+            if (legend[i].band > 0)
+                canvas_vector(area.canvas, ";B%d,%d,0 0,2 0,14 32,2 32,14", (int)legend[i].style,
+                              legend[i].band - 1);
+            else
+                canvas_vector(area.canvas, ";L%d,%d,0 0,8 32,8", (int)legend[i].style, (int)legend[i].line);
+        }
         area_text(area, x + 3, y, legend[i].name, STYLE_NORMAL);
         x += columns + gap;
     }

@@ -446,9 +446,12 @@ static void name_lines(const Sheet *sheet)
         if (run && before)
             continue;
         before |= run;
-        lines[count++] =
-            (Legend){key->line, key->ascii, key->style, run ? "crack before" : legend_short_name(key->name),
-                     piece_of(key, area.glyphs)};
+        lines[count++] = (Legend){key->line,
+                                  key->ascii,
+                                  key->style,
+                                  run ? "crack before" : legend_short_name(key->name),
+                                  piece_of(key, area.glyphs),
+                                  0};
     }
     const int rows = count > LEAST ? count : LEAST;
     if (count == 0 || sheet->map->is_near)
