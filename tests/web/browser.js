@@ -845,7 +845,7 @@ async function lines() {
 		const seen = free.filter((inside, i) => !inside && term.buffer.active.getLine(top + Math.floor(i / columns)).getCell(left + i % columns).getCode() === DISC);
 		return marks.some(({glyph}) => glyph === DISC) && rows > 4 ? seen.length : 0;
 	}).join(' ') + ' of ' + vectors.areas.flatMap(({marks}) => marks).filter(({glyph}) => glyph === DISC).length), (found) => /^0( 0)* of [4-9]\d$/.test(found));
-	await open(one + '?scenario=mode5&sheet=full');
+	await open(endless + '&sheet=full');
 	await until(has('Space pause'));
 	await halt();
 	await page.keyboard.press(']'); // the bar with its cells
