@@ -87,15 +87,6 @@ static bool fill_error(const Standing *run, char *label, char *value)
     return readout->moving && readout->measured_known && readout->exact_known;
 }
 
-/* By how many periods of the exact answer the run is behind at its present time. */
-static bool fill_late(const Standing *run, char *label, char *value)
-{
-    const Readout *readout = run->readout;
-    snprintf(label, COMPARISON_TEXT_MAX, "periods behind");
-    return readout->moving && readout->measured_known && isfinite(readout->late) &&
-           put(value, "%.2f", readout->late);
-}
-
 /* What the series begins with, to the digits in which a code with a mistake first leaves the right one. */
 static bool fill_digits(const Standing *run, char *label, char *value)
 {
@@ -111,7 +102,6 @@ static bool fill_digits(const Standing *run, char *label, char *value)
 
 /* --- energy ---------------------------------------------------------------------------------------- */
 
-/* The column of a run's series by its name; -1: it has none. */
 /* 100 (E* now over E* at the start, - 1) %: the loss without the ripple of staggered velocities and stresses,
  * where E* is kept (invariant.h). */
 static bool fill_loss(const Standing *run, char *label, char *value)
@@ -202,31 +192,6 @@ static bool fill_crossing(const Standing *run, char *label, char *value)
     return true;
 }
 
-static bool fill_broken(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "broken bonds");
-    return (run->breaks || run->follows) &&
-           put(value, "%.0f", (double)(run->breaks ? run->crack.measured.broken : run->fronts.broken));
-}
-
-static bool fill_tips(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "tips of cracks");
-    return run->follows && put(value, "%.0f", run->fronts.n_tips);
-}
-
-static bool fill_fastest(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "fastest, m/s");
-    return run->follows && isfinite(run->fronts.fastest) && put(value, "%.0f", run->fronts.fastest);
-}
-
-static bool fill_branch(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "branched at t, µs");
-    return run->follows && run->fronts.branched && put(value, "%.1f", run->fronts.branch_time / 1e-6);
-}
-
 static bool fill_first_break(const Standing *run, char *label, char *value)
 {
     snprintf(label, COMPARISON_TEXT_MAX, "first break, µs");
@@ -235,24 +200,6 @@ static bool fill_first_break(const Standing *run, char *label, char *value)
         return true;
     }
     return run->breaks && put(value, "%.1f", run->crack.measured.first_break / 1e-6);
-}
-
-static bool fill_length(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "crack's length, mm");
-    return run->breaks && put(value, "%.1f", run->crack.measured.length / 1e-3);
-}
-
-static bool fill_tip_x(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "its tip at x, mm");
-    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.x / 1e-3);
-}
-
-static bool fill_tip_y(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "and y, mm");
-    return run->breaks && run->crack.measured.begun && put(value, "%.1f", run->crack.measured.y / 1e-3);
 }
 
 static bool fill_work(const Standing *run, char *label, char *value)
@@ -274,11 +221,29 @@ static bool fill_stop(const Standing *run, char *label, char *value)
            put(value, "%.4g", (double)experiment_newest(run->experiment) * sim->dt / facts->shown_time);
 }
 
-static bool fill_step(const Standing *run, char *label, char *value)
-{
-    snprintf(label, COMPARISON_TEXT_MAX, "time step");
-    return put(value, "%.4g", experiment_simulation(run->experiment)->dt);
-}
+/* --- those of one expression ------------------------------------------------------------------------- */
+
+#define FILL(name, words, format, known, number)                                                             \
+    static bool fill_##name(const Standing *run, char *label, char *value)                                   \
+    {                                                                                                        \
+        snprintf(label, COMPARISON_TEXT_MAX, words);                                                         \
+        return (known) && put(value, format, number);                                                        \
+    }
+
+/* By how many periods of the exact answer the run is behind at its present time. */
+FILL(late, "periods behind", "%.2f",
+     run->readout->moving && run->readout->measured_known && isfinite(run->readout->late), run->readout->late)
+FILL(broken, "broken bonds", "%.0f", run->breaks || run->follows,
+     (double)(run->breaks ? run->crack.measured.broken : run->fronts.broken))
+FILL(tips, "tips of cracks", "%.0f", run->follows, run->fronts.n_tips)
+FILL(fastest, "fastest, m/s", "%.0f", run->follows &&isfinite(run->fronts.fastest), run->fronts.fastest)
+FILL(branch, "branched at t, µs", "%.1f", run->follows && run->fronts.branched,
+     run->fronts.branch_time / 1e-6)
+FILL(length, "crack's length, mm", "%.1f", run->breaks, run->crack.measured.length / 1e-3)
+FILL(tip_x, "its tip at x, mm", "%.1f", run->breaks && run->crack.measured.begun,
+     run->crack.measured.x / 1e-3)
+FILL(tip_y, "and y, mm", "%.1f", run->breaks && run->crack.measured.begun, run->crack.measured.y / 1e-3)
+FILL(step, "time step", "%.4g", true, experiment_simulation(run->experiment)->dt)
 
 static const struct {
     Fill *fill;

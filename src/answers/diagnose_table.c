@@ -894,7 +894,7 @@ bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, co
         return false;
     for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
         snprintf(table->stage_ids[table->n_stages++], sizeof table->stage_ids[0], "%s", sim->stages[i].id);
-    bool sound = overlay_read_words(&table->file, stream, file, take_word, table, status);
+    bool sound = overlay_read(&table->file, stream, file, take_word, NULL, table, status);
     if (sound)
         clean_names(table);
     sound = sound && lengthen(&table->file, sim, status) && read_rows(table, settings, map, sim, status);

@@ -66,6 +66,14 @@ int references_column(const Column *columns, int count, const char *name)
     return -1;
 }
 
+Finding finding_named(const Finding *findings, int count, const char *name)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(findings[i].name, name) == 0)
+            return findings[i];
+    return (Finding){.measured = NAN, .exact = NAN};
+}
+
 long references_memory(const References *refs)
 {
     return refs->window.size;

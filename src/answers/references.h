@@ -118,6 +118,9 @@ enum { FINDINGS_MAX = 8 };
  * answer is not known, what is measured alone. */
 int references_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
 
+/* The one of that name; NAN where there is none. */
+Finding finding_named(const Finding *, int count, const char *name);
+
 /* "L2 error of v 0.7394  peak/start 0.6993 (exact 1)". */
 void findings_text(const Finding *, int n_findings, bool with_exact, char *out, size_t size);
 

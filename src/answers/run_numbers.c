@@ -64,20 +64,15 @@ NUMBER(branch_time, of_branch(run, run->fronts.branch_time))
 NUMBER(branch_angle, of_branch(run, run->fronts.half_angle))
 NUMBER(crack_tips, run->fronts_known ? (double)run->fronts.n_tips : NAN)
 NUMBER(crack_cost_of, run->price_known ? run->price.cost.total / run->price.cost.area : NAN)
+
 static double finding(const RunSummary *run, const char *word)
 {
-    for (int i = 0; i < run->n_findings; i++)
-        if (strcmp(run->findings[i].name, word) == 0)
-            return run->findings[i].measured;
-    return NAN;
+    return finding_named(run->findings, run->n_findings, word).measured;
 }
 
 static double exact_of(const RunSummary *run, const char *word)
 {
-    for (int i = 0; i < run->n_findings; i++)
-        if (strcmp(run->findings[i].name, word) == 0)
-            return run->findings[i].exact;
-    return NAN;
+    return finding_named(run->findings, run->n_findings, word).exact;
 }
 
 NUMBER(acceleration_exact, exact_of(run, "acceleration"))

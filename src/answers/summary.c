@@ -15,14 +15,6 @@
 
 #define ENERGY_TOLD 10.0 /* per cent that a sound run does not oscillate by */
 
-static int find(const Column *columns, int n_columns, const char *name)
-{
-    for (int i = 0; i < n_columns; i++)
-        if (strcmp(columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
-}
-
 /* The mean over `count` rows of total less work: what a scheme without loss keeps. */
 static double mean_energy(const double *rows, size_t count, int n_columns, int total, int work)
 {
@@ -60,8 +52,9 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
                         const double *rows, size_t count, const double invariant[2])
 {
     const size_t width = (size_t)n_columns;
-    const int total = find(columns, n_columns, "total");
-    const int work = simulation_has(sim, HAS_RELATIVE_ENERGY) ? -1 : find(columns, n_columns, "work");
+    const int total = references_column(columns, n_columns, "total");
+    const int work =
+        simulation_has(sim, HAS_RELATIVE_ENERGY) ? -1 : references_column(columns, n_columns, "work");
     if (invariant[0] > 0 && isfinite(invariant[1])) {
         summary->energy_measure = ENERGY_INVARIANT;
         summary->energy_change = 100 * (invariant[1] / invariant[0] - 1);
@@ -69,7 +62,8 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     }
     if (total < 0 || count == 0)
         return;
-    const int potential = find(columns, n_columns, "potential"), worked = potential < 0 ? work : potential;
+    const int potential = references_column(columns, n_columns, "potential"),
+              worked = potential < 0 ? work : potential;
     const double level = potential < 0 ? 0 : rows[potential], start = rows[total] - level;
     double largest = 0;
     /* the work of a load oscillates with the body, so the largest is taken, not that at the end */
@@ -89,7 +83,7 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     const double before = mean_energy(rows, first, n_columns, total, work);
     const double after = mean_energy(rows + (count - last) * width, last, n_columns, total, work);
     summary->energy_change = 100 * (after - before) / (summary->energy_of_work ? largest : before - level);
-    const int kinetic = find(columns, n_columns, "kinetic");
+    const int kinetic = references_column(columns, n_columns, "kinetic");
     summary->energy_of_feed =
         summary->readout.drifting && kinetic >= 0 && rows[kinetic] > 0.5 * fabs(rows[total]);
     double most = rows[total];
@@ -106,8 +100,8 @@ void summary_rows(RunSummary *summary, const Simulation *sim, const Column *colu
     take_energy(summary, sim, columns, n_columns, rows, count, invariant);
     summary->at_rest = sim->at_rest;
     const double *last = count > 0 ? rows + (count - 1) * (size_t)n_columns : NULL;
-    const int broken = find(columns, n_columns, "broken_bonds");
-    const int length = find(columns, n_columns, "crack_length");
+    const int broken = references_column(columns, n_columns, "broken_bonds");
+    const int length = references_column(columns, n_columns, "crack_length");
     summary->broken_bonds = last && broken >= 0 ? last[broken] : NAN;
     summary->crack_length = last && length >= 0 ? last[length] : NAN;
 }

@@ -34,8 +34,8 @@ typedef struct Host {
     /* In the middle of work that cannot be cut into frames, message.text says what: draw, look for ^C;
      * false: give up. While the laboratory is being opened there is nothing to draw. */
     bool (*go_on)(void *context);
-    void (*redraw)(void *context);  /* everything again */
-    void (*suspend)(void *context); /* ^Z */
+    void (*redraw)(void *context);  /* everything again; NULL: nobody looks */
+    void (*suspend)(void *context); /* ^Z; NULL: there is no shell */
     void *context;
     /* A key waits, for which the engine makes room at once; NULL: keys come between frames. */
     bool (*key_waits)(void *context);

@@ -258,15 +258,12 @@ static void tell_edits(Plain *plain)
     for (int i = 0; i < n_parameters && experiment == plain->of; i++) {
         char was[LIST_MAX], is[LIST_MAX];
         if (!parameter_applies_to(settings, &parameters[i]) ||
-            !parameter_applies_to(&plain->settings, &parameters[i]))
+            !parameter_applies_to(&plain->settings, &parameters[i]) ||
+            !settings_differ(&plain->settings, settings, &parameters[i]))
             continue;
-        settings_get(&plain->settings, &parameters[i], was);
-        settings_get(settings, &parameters[i], is);
-        if (strcmp(was, is) != 0) {
-            show_value(&plain->settings, &parameters[i], was);
-            show_value(settings, &parameters[i], is);
-            say(plain, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key, is, was);
-        }
+        show_value(&plain->settings, &parameters[i], was);
+        show_value(settings, &parameters[i], is);
+        say(plain, "%s (%s): %s, before: %s.", parameters[i].label, parameters[i].key, is, was);
     }
     char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];
     const bool both = experiment == plain->of && settings->problem == plain->settings.problem;

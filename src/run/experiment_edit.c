@@ -136,12 +136,7 @@ static bool recomputes(const Parameter *parameter)
 
 static bool differs(const Settings *a, const Settings *b, const Parameter *parameter)
 {
-    char one[LIST_MAX], other[LIST_MAX];
-    if (!parameter_applies_to(a, parameter))
-        return false;
-    settings_get(a, parameter, one);
-    settings_get(b, parameter, other);
-    return strcmp(one, other) != 0;
+    return parameter_applies_to(a, parameter) && settings_differ(a, b, parameter);
 }
 
 static Difference compare(const Settings *now, const Settings *wanted)

@@ -344,8 +344,8 @@ static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, 
     return got == GOT_END;
 }
 
-static bool read_words(Overlay *overlay, FILE *stream, const char *file, OverlayWord word,
-                       OverlayProgress go_on, void *context, Status *status)
+bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayWord word, OverlayProgress go_on,
+                  void *context, Status *status)
 {
     Reader *reader = calloc(1, sizeof *reader);
     *overlay = (Overlay){.y = -1};
@@ -361,25 +361,13 @@ static bool read_words(Overlay *overlay, FILE *stream, const char *file, Overlay
     return sound;
 }
 
-bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayProgress go_on, void *context,
-                  Status *status)
-{
-    return read_words(overlay, stream, file, NULL, go_on, context, status);
-}
-
-bool overlay_read_words(Overlay *overlay, FILE *stream, const char *file, OverlayWord word, void *context,
-                        Status *status)
-{
-    return read_words(overlay, stream, file, word, NULL, context, status);
-}
-
 bool overlay_load(Overlay *overlay, const char *path, OverlayProgress go_on, void *context, Status *status)
 {
     *overlay = (Overlay){.y = -1};
     FILE *stream = input_open(path, OVERLAY_BYTES_MAX, status);
     if (!stream)
         return false;
-    const bool sound = overlay_read(overlay, stream, path, go_on, context, status);
+    const bool sound = overlay_read(overlay, stream, path, NULL, go_on, context, status);
     fclose(stream);
     return sound;
 }

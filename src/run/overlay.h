@@ -54,9 +54,9 @@ typedef bool (*OverlayWord)(const char *column, const char *cell, double *value,
 bool overlay_is_not_finite(const char *cell);
 
 /* Reads a table; `file` stands for FILE in an error. False: the status says why, the overlay is empty. */
-bool overlay_read(Overlay *, FILE *stream, const char *file, OverlayProgress, void *context, Status *);
+bool overlay_read(Overlay *, FILE *stream, const char *file, OverlayWord, OverlayProgress, void *context,
+                  Status *);
 bool overlay_load(Overlay *, const char *path, OverlayProgress, void *context, Status *);
-bool overlay_read_words(Overlay *, FILE *stream, const char *file, OverlayWord, void *context, Status *);
 void overlay_close(Overlay *);
 
 /* A column by its name, in any case, or by its number (from 1 on); -1: there is none, and the status says

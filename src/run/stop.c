@@ -154,20 +154,10 @@ long stop_step(const Stop *stop, const Experiment *experiment)
                                         : -1;
 }
 
-static int kinetic_column(const Experiment *experiment)
-{
-    int count;
-    const Column *columns = experiment_columns(experiment, &count);
-    for (int i = 0; i < count; i++)
-        if (strcmp(columns[i].quantity.name, "kinetic") == 0)
-            return i;
-    return -1;
-}
-
 /* Whether a damped run has come to rest; the rows that went before are looked through once. */
 static bool is_at_rest(Stop *stop, const Experiment *experiment)
 {
-    const int column = kinetic_column(experiment);
+    const int column = experiment_column(experiment, "kinetic");
     const Record *record = experiment_record(experiment);
     const double *now = experiment_row(experiment);
     if (!stop->rests || column < 0 || !now)

@@ -254,6 +254,9 @@ bool settings_check(const Settings *, Status *);
 /* Whether two settings lead to the same run. */
 bool settings_same(const Settings *a, const Settings *b);
 
+/* Whether a parameter of both has another value, as a file would have it. */
+bool settings_differ(const Settings *a, const Settings *b, const Parameter *);
+
 /* What `a` is as against `b`, for a legend: "USL, cell size 1"; "the same" where nothing differs. What does
  * not fit whole is left out, and " ..." says so. */
 void settings_name(const Settings *a, const Settings *b, char *out, size_t size);

@@ -3,10 +3,10 @@
  * (scenario_lines.h). */
 #include "scenario/scenario_lines.h"
 
+#include "base/input.h"
 #include "base/visible.h"
 #include "scenario/parameters.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,70 +18,30 @@ const char *const scenario_sections[] = {
 };
 
 typedef struct Reader {
-    FILE *stream;
     const char *file;
     Status *status;
     Entries *entries;
-    bool failed;
     char section[16];
     bool may_continue; /* the last key's value may go on */
 } Reader;
 
 static bool fail(Reader *reader, const char *what, const char *allowed)
 {
-    reader->failed = true;
     return status_refuse(reader->status, "%s:%d: %s (%s)", reader->file, reader->entries->lines, what,
                          allowed);
 }
 
 static bool fail_about(Reader *reader, const char *subject, const char *what)
 {
-    reader->failed = true;
     return status_refuse(reader->status, "%s:%d: %s: %s", reader->file, reader->entries->lines, subject,
                          what);
 }
 
-/* --- one raw line --------------------------------------------------------------------------------- */
-
-enum { RAW_MAX = 1000 };
-
-/* Reads up to the end of the line, which may be LF, CR LF or the end of the file. False: nothing is left, or
- * the reader failed. */
-static bool raw_line(Reader *reader, char raw[RAW_MAX + 1])
-{
-    int c, n = 0;
-    errno = 0;
-    while ((c = getc(reader->stream)) != EOF && c != '\n') {
-        if (n == 0)
-            reader->entries->lines++;
-        if (c == '\0')
-            return fail(reader, "a NUL byte", "a scenario is text");
-        if (n == RAW_MAX)
-            return fail(reader, "the line is too long", "at most 1000 bytes with its comment");
-        raw[n++] = (char)c;
-    }
-    if (ferror(reader->stream)) {
-        reader->failed = true;
-        return status_refuse(reader->status, "%s: cannot be read: %s", reader->file,
-                             strerror(errno ? errno : EIO));
-    }
-    if (c == EOF && n == 0)
-        return false;
-    if (n == 0)
-        reader->entries->lines++;
-    if (n > 0 && raw[n - 1] == '\r')
-        n--;
-    raw[n] = '\0';
-    if (reader->entries->lines > SCENARIO_LINES_MAX)
-        return fail(reader, "too many lines for a scenario", "at most 5000");
-    return true;
-}
+enum { RAW_MAX = 1000 }; /* bytes of a line with its comment */
 
 /* A tab is as good as a space; anything else that is not text is refused. */
 static bool clean_line(Reader *reader, char *raw)
 {
-    if (reader->entries->lines == 1 && strncmp(raw, "\xef\xbb\xbf", 3) == 0)
-        memmove(raw, raw + 3, strlen(raw + 3) + 1);
     for (char *c = raw; *c; c++)
         if (*c == '\t')
             *c = ' ';
@@ -130,10 +90,8 @@ static bool add_entry(Reader *reader, const char *name, const char *value)
     if (entries->count == entries->room) {
         int room = entries->room ? 2 * entries->room : 32;
         Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
-        if (!all) {
-            reader->failed = true;
+        if (!all)
             return status_fail(reader->status, "not enough memory for %s", reader->file);
-        }
         entries->all = all;
         entries->room = room;
     }
@@ -225,9 +183,14 @@ static bool accept_line(Reader *reader, const char *line)
 bool entries_read(Entries *entries, FILE *stream, const char *file, Status *status)
 {
     *entries = (Entries){0};
-    Reader reader = {.stream = stream, .file = file, .status = status, .entries = entries};
+    Reader reader = {.file = file, .status = status, .entries = entries};
+    InputLines lines = {.stream = stream, .name = file};
+    InputGot got;
     char raw[RAW_MAX + 1];
-    while (raw_line(&reader, raw)) {
+    while ((got = input_line(&lines, raw, sizeof raw, status)) == INPUT_LINE) {
+        entries->lines = (int)lines.number;
+        if (entries->lines > SCENARIO_LINES_MAX)
+            return fail(&reader, "too many lines for a scenario", "at most 5000");
         if (!clean_line(&reader, raw))
             return false;
         /* Cuts the comment and the spaces at the end. */
@@ -242,7 +205,7 @@ bool entries_read(Entries *entries, FILE *stream, const char *file, Status *stat
         if (!accept_line(&reader, raw))
             return false;
     }
-    if (reader.failed)
+    if (got == INPUT_WRONG)
         return false;
     if (entries->count == 0)
         return status_refuse(status, "%s:1: holds no scenario (at least [scenario] and a key)", file);

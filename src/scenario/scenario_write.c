@@ -252,14 +252,10 @@ static void compare_rows(const Settings *from, const Settings *to, int kind, Ass
 
 static bool is_changed(const Settings *from, const Settings *to, const Parameter *parameter)
 {
-    char before[LIST_MAX], value[LIST_MAX];
-    if (parameter->output || parameter->offset == offsetof(Settings, method) ||
-        !parameter_applies_to(to, parameter) || is_derived(to, parameter) ||
-        (parameter->wrong && to->concealed))
-        return false;
-    settings_get(from, parameter, before);
-    settings_get(to, parameter, value);
-    return strcmp(before, value) != 0 || is_derived(from, parameter);
+    return !parameter->output && parameter->offset != offsetof(Settings, method) &&
+           parameter_applies_to(to, parameter) && !is_derived(to, parameter) &&
+           !(parameter->wrong && to->concealed) &&
+           (settings_differ(from, to, parameter) || is_derived(from, parameter));
 }
 
 bool scenario_assignments(const char *name_or_path, const Settings *to, AssignmentTaker *take, void *context)

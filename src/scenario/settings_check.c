@@ -267,14 +267,17 @@ static bool matters(const Settings *a, const Settings *b, const Parameter *param
     return parameter->offset != VALUE_OFFSET(bonds.critical_stretch) || !by_energy;
 }
 
+bool settings_differ(const Settings *a, const Settings *b, const Parameter *parameter)
+{
+    char one[LIST_MAX], other[LIST_MAX];
+    settings_get(a, parameter, one);
+    settings_get(b, parameter, other);
+    return strcmp(one, other) != 0;
+}
+
 static bool differ_in(const Settings *a, const Settings *b, const Parameter *parameter)
 {
-    char from[LIST_MAX], to[LIST_MAX];
-    if (!matters(a, b, parameter))
-        return false;
-    settings_get(a, parameter, from);
-    settings_get(b, parameter, to);
-    return strcmp(from, to) != 0;
+    return matters(a, b, parameter) && settings_differ(a, b, parameter);
 }
 
 bool settings_changes_same(const Settings *a, const Settings *b)

@@ -186,7 +186,7 @@ refuse "a script with an unknown instruction" \
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini
 refuse "a damaged file" 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini
 printf '[scenario]\nproblem = b\000ar\n' >bad.ini
-refuse "a NUL byte" 'bad.ini:2: a NUL byte (a scenario is text)' show bad.ini
+refuse "a NUL byte" 'bad.ini:2: holds a zero byte (text is wanted)' show bad.ini
 printf '[scenario]\nproblem = bar\n' >show
 "$MATVIB" show ./show >out 2>err
 result "a file that is named like a command" says out '^problem = bar$'

@@ -17,10 +17,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     FILE *file = fmemopen((void *)(uintptr_t)data, size, "r");
     FUZZ_ASSERT(file);
-    bool sound = overlay_read(&overlay, file, "input", NULL, NULL, &status);
+    bool sound = overlay_read(&overlay, file, "input", NULL, NULL, NULL, &status);
     rewind(file);
     if (!sound) /* nobody asks why */
-        FUZZ_ASSERT(!overlay_read(&overlay, file, "input", NULL, NULL, NULL));
+        FUZZ_ASSERT(!overlay_read(&overlay, file, "input", NULL, NULL, NULL, NULL));
     fclose(file);
     FUZZ_ASSERT(sound || (status.text[0] && !strchr(status.text, '\n')));
     if (sound && overlay_choose(&overlay, NULL, NULL, "v_cm", "u", &status)) {

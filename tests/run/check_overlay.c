@@ -16,7 +16,7 @@ static bool read_bytes(Overlay *overlay, const char *bytes, size_t size, Status 
     ck_assert_uint_eq(fwrite(bytes, 1, size, stream), size);
     rewind(stream);
     *status = (Status){STATUS_DONE, ""};
-    const bool sound = overlay_read(overlay, stream, "dir/student.csv", NULL, NULL, status);
+    const bool sound = overlay_read(overlay, stream, "dir/student.csv", NULL, NULL, NULL, status);
     fclose(stream);
     return sound;
 }

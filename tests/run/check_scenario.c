@@ -248,7 +248,7 @@ static const struct {
     {BAR "title = " X100 X100 "\n", "f.ini:3: the line is too long (at most 190 bytes)"},
     {BAR "title = " X100 "\n", "f.ini:3: scenario.title: is 100 bytes long (at most 79)"},
     {BAR "# " X100 X100 X100 X100 X100 X100 X100 X100 X100 X100 "\n",
-     "f.ini:3: the line is too long (at most 1000 bytes with its comment)"},
+     "f.ini:3: the line is too long (at most 1000 bytes)"},
     {BAR "title = caf\xe9\n", "f.ini:3: bytes that are no text (UTF-8 without control characters)"},
     {BAR "# caf\xe9\n", "f.ini:3: bytes that are no text (UTF-8 without control characters)"},
     {BAR "title = \x1b[2J\n", "f.ini:3: bytes that are no text (UTF-8 without control characters)"},
@@ -333,7 +333,7 @@ START_TEST(damage_that_no_string_can_hold)
     Status status;
     static const char nul[] = "[scenario]\nproblem = b\0ar\n";
     ck_assert(!read_bytes(nul, sizeof nul - 1, &settings, &status));
-    ck_assert_str_eq(status.text, "f.ini:2: a NUL byte (a scenario is text)");
+    ck_assert_str_eq(status.text, "f.ini:2: holds a zero byte (text is wanted)");
     size_t lines = 6000;
     char *many = malloc(2 * lines + 1);
     for (size_t i = 0; i < lines; i++)

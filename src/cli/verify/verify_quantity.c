@@ -44,10 +44,7 @@ static Finding finding_of(const VerifyRun *run, const char *name)
 {
     Finding findings[FINDINGS_MAX];
     const int count = references_findings(run->refs, run->passing.sim, findings);
-    for (int i = 0; i < count; i++)
-        if (strcmp(findings[i].name, name) == 0)
-            return findings[i];
-    return (Finding){.measured = NAN, .exact = NAN};
+    return finding_named(findings, count, name);
 }
 
 double quantity_longer_than(VerifyRun *run, const VerifyRow *row)

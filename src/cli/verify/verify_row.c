@@ -150,10 +150,8 @@ void verify_run_close(VerifyRun *run)
 
 const double *verify_column(const VerifyRun *run, const char *name)
 {
-    for (int i = 0; i < run->n_columns; i++)
-        if (strcmp(run->columns[i].quantity.name, name) == 0)
-            return run->rows + i;
-    return NULL;
+    const int column = references_column(run->columns, run->n_columns, name);
+    return column >= 0 ? run->rows + column : NULL;
 }
 
 size_t verify_rows_between(const VerifyRun *run, double from, double to, size_t *first)

@@ -218,12 +218,8 @@ static void look_at_something(Screen *screen)
 {
     const Settings *settings = screen_settings(screen);
     const double *row = experiment_row(screen->experiment);
-    int count, x = -1, y = -1;
-    const Column *columns = experiment_columns(screen->experiment, &count);
-    for (int i = 0; i < count; i++) {
-        x = strcmp(columns[i].quantity.name, "crack_x") == 0 ? i : x;
-        y = strcmp(columns[i].quantity.name, "crack_y") == 0 ? i : y;
-    }
+    const int x = experiment_column(screen->experiment, "crack_x"),
+              y = experiment_column(screen->experiment, "crack_y");
     if (x >= 0 && y >= 0 && row) {
         screen->eye.centre[0] = row[x] / settings_geometry(settings)->length;
         screen->eye.centre[1] = row[y] / settings_geometry(settings)->height;

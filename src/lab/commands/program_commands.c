@@ -69,11 +69,13 @@ void command_interrupt(Laboratory *lab)
 
 void command_redraw(Laboratory *lab)
 {
-    lab->host.redraw(lab->host.context);
+    if (lab->host.redraw)
+        lab->host.redraw(lab->host.context);
 }
 
 void command_suspend(Laboratory *lab)
 {
     if (lab->asker != ASKER_REPLAY) /* a replay does not suspend the program */
-        lab->host.suspend(lab->host.context);
+        if (lab->host.suspend)
+            lab->host.suspend(lab->host.context);
 }

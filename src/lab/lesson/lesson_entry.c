@@ -77,14 +77,9 @@ static bool is_met(Laboratory *lab, const LessonUntil *until)
         return !command || command_set_has(&lab->play.used, command->id);
     case UNTIL_VALUE: {
         const Settings *now = laboratory_settings(lab);
-        const Parameter *parameter = parameter_find(until->word);
         Settings wanted = *now;
-        char is[LIST_MAX], should_be[LIST_MAX];
-        if (!settings_set(&wanted, until->word, until->value, NULL))
-            return false;
-        settings_get(now, parameter, is);
-        settings_get(&wanted, parameter, should_be);
-        return strcmp(is, should_be) == 0;
+        return settings_set(&wanted, until->word, until->value, NULL) &&
+               !settings_differ(now, &wanted, parameter_find(until->word));
     }
     case UNTIL_GOAL:
         return lesson_judge_goal(lab);

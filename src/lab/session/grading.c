@@ -72,11 +72,6 @@ static bool go_on(void *context)
     return !grader->given_up && !is_spent(grader);
 }
 
-static void nothing(void *context)
-{
-    (void)context;
-}
-
 static Grader *open_grader(const GradingTask *task, LaboratoryOptions *options, Status *status)
 {
     Grader *grader = calloc(1, sizeof *grader);
@@ -84,7 +79,7 @@ static Grader *open_grader(const GradingTask *task, LaboratoryOptions *options, 
         status_fail(status, "not enough memory for a laboratory");
         return NULL;
     }
-    const Host host = {now, worked, go_on, nothing, nothing, grader, NULL, NULL};
+    const Host host = {now, worked, go_on, NULL, NULL, grader, NULL, NULL};
     grader->task = task;
     grader->begun = clock_seconds();
     options->lesson = task->lesson;

@@ -65,11 +65,6 @@ static void worked(void *context, long steps)
         script->time += (double)steps / script->rate;
 }
 
-static void nothing(void *context)
-{
-    (void)context;
-}
-
 /* What the camera sees of the screen as it was drawn last. */
 static bool film(Script *script, bool must, Status *status)
 {
@@ -325,7 +320,7 @@ static bool play(Script *script, FILE *file, const char *name, Status *status)
 
 static bool open_script(Script *script, const LaboratoryOptions *options, Status *status)
 {
-    Host host = {now, worked, go_on, nothing, nothing, script, NULL, NULL};
+    Host host = {now, worked, go_on, NULL, NULL, script, NULL, NULL};
     const char *codeset = nl_langinfo(CODESET);
     Glyphs glyphs;
     if (!grid_choose_glyphs(options->glyphs, codeset, NULL, &glyphs))

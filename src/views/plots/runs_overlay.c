@@ -91,10 +91,7 @@ int runs_of(const Screen *screen, ShownRun runs[RUNS_MAX])
 
 int runs_column(const ShownRun *run, const char *name)
 {
-    for (int i = 0; i < run->n_columns; i++)
-        if (strcmp(run->columns[i].quantity.name, name) == 0)
-            return i;
-    return -1;
+    return references_column(run->columns, run->n_columns, name);
 }
 
 int runs_with(ShownRun *runs, int n_runs, const char *column)
