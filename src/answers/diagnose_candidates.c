@@ -134,7 +134,8 @@ static const char *const pd_axes[AXES_OF_A_SCHEME][WAYS_MAX] = {
     {"pd.stepping=verlet", "pd.stepping=euler", "pd.stepping=euler_position", "pd.stepping=leapfrog",
      "pd.stepping=leapfrog_ahead"},
     {"pd.surface_correction=none", "pd.surface_correction=energy", "pd.surface_correction=volume"},
-    {"pd.volume_correction=none", "pd.volume_correction=partial", "pd.volume_correction=hhb"},
+    {"pd.surface_correction=none,pd.volume_correction=none", "pd.volume_correction=none",
+     "pd.volume_correction=partial", "pd.volume_correction=hhb"}, /* the plain code is one choice */
     {"pd.influence=constant", "pd.influence=conical"},
     {"pd.horizon"},
 };

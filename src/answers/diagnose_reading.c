@@ -97,7 +97,7 @@ typedef struct Source {
     size_t thing;
     double factor;
     size_t agreed, telling; /* entries; of them those that are no round-off */
-    bool over, first;       /* it departs; its first entry agrees and tells something */
+    bool over, first;       /* it departs; its first entry that is not 0 agrees */
     double off;             /* its largest difference beyond the digits written, over its size */
 } Source;
 
@@ -235,6 +235,7 @@ typedef struct Trials {
     Sources sources[DIAGNOSE_COLUMNS_MAX];
     double *row, *field[FIELDS_MAX];
     bool nodes;                        /* a velocity is one of a node */
+    bool moves[DIAGNOSE_COLUMNS_MAX];  /* of a column: it had numbers other than 0 before */
     double fine;                       /* what agrees so well needs no other code */
     TrialTimes times[TRIAL_TIMES_MAX]; /* that were tried */
     int n_times;
@@ -278,9 +279,11 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
                 source->off = scale > 0 ? fmax(source->off, beyond / scale) : source->off;
                 source->agreed += !source->over;
                 source->telling += !source->over && written != 0 && fabs(ours) > 1e3 * TOLERANCE * size;
-                source->first = source->first || (moment == 0 && source->telling > 0);
+                source->first = source->first || (!trials->moves[c] && source->telling > 0);
             }
         }
+        for (size_t k = now->first; k < now->first + now->count; k++)
+            trials->moves[c] = trials->moves[c] || fabs(column->values[table->rows[k]]) > 0;
     }
 }
 
@@ -412,6 +415,7 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
             snprintf(column->name, sizeof column->name, "%s_%zu_%.20s", thing, best->thing, quantity->name);
         }
     }
+    trial->throughout = trial->throughout && trial->agreed > 0;
     /* what nothing of ours is like is left out */
     DiagnoseColumn *columns = trial->reading.columns;
     trial->reading.n_columns = 0;
@@ -429,6 +433,7 @@ static bool make_room(Trials *trials, const Simulation *sim)
     const size_t all = (size_t)(sim->n_series + sim->n_fields);
     bool sound = true;
     memset(trials->wanted, 0, sizeof trials->wanted);
+    memset(trials->moves, 0, sizeof trials->moves);
     for (int c = 0; c < table->n_columns; c++)
         for (size_t i = 0; i < trials->sources[c].count; i++)
             if (trials->sources[c].all[i].field >= 0)
@@ -538,7 +543,7 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
             if (!try_reading(trials, &reading, &settings, plain))
                 return false;
             *found = trials->count > before && trials->all[before].throughout &&
-                     trials->all[before].agreed > 0 && trials->all[before].off <= trials->fine;
+                     trials->all[before].off <= trials->fine;
         }
     }
     return true;
@@ -562,7 +567,7 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
  * alike. Passes: plain times, then others, of codes of few choices; then of many. */
 static bool try_codes(Trials *trials, bool wrong, int pass, int end, bool *found)
 {
-    enum { FEW_CHOICES = 1 };
+    enum { FEW_CHOICES = 1, SOME_CHOICES = 2 };
     const Settings *right = trials->search->task->settings;
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
@@ -577,7 +582,10 @@ static bool try_codes(Trials *trials, bool wrong, int pass, int end, bool *found
             if (times->plain != (pass % 2 == 0) || !diagnose_hold_step(&held, times->dt, NULL))
                 continue;
             const int count = diagnose_schemes(&held, trials->search->table,
-                                               pass < 2 ? FEW_CHOICES : ANY_CHOICES, &schemes);
+                                               pass < 2            ? FEW_CHOICES
+                                               : wrong && pass > 2 ? SOME_CHOICES
+                                                                   : ANY_CHOICES,
+                                               &schemes);
             for (int s = 0; s < count; s++)
                 for (int m = wrong;
                      m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass >= 2) &&
@@ -700,20 +708,28 @@ static int add_unscaled(const DiagnoseReading *reading, DiagnoseReading *out)
     return scaled;
 }
 
-/* The best comes first. */
-static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
+/* The most columns of which a plain reading agrees in the first row. */
+static int most_firsts(const Trials *trials)
 {
-    int count = 0, most = 0;
+    int most = 0;
     for (int i = 0; i < trials->count; i++)
         if (trials->all[i].plain && trials->all[i].firsts > most)
             most = trials->all[i].firsts;
+    return most;
+}
+
+/* The best comes first. */
+static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
+{
+    const int most = most_firsts(trials);
+    int count = 0;
     const Trial *nearest = NULL;
     for (int i = 0; i < trials->count; i++)
         if (trials->all[i].throughout && (!nearest || trials->all[i].off < nearest->off))
             nearest = &trials->all[i];
     if (nearest)
         out[count++] = nearest->reading;
-    bool taken[TRIALS_MAX] = {false};
+    bool taken[TRIALS_MAX] = {false}, denied = most > 0;
     while (count < READINGS_MAX) {
         int best = -1;
         for (int i = 0; i < trials->count; i++)
@@ -722,9 +738,13 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
                  (trials->all[i].denied == trials->all[best].denied &&
                   trials->all[i].agreed > trials->all[best].agreed)))
                 best = i;
+        /* a sum that is kept agrees in rows of any step */
+        for (int i = 0; i < trials->count && best < 0 && denied; i++)
+            best = !taken[i] && trials->all[i].plain && !trials->all[i].denied ? i : -1;
         if (best < 0)
             break;
         taken[best] = true;
+        denied = denied && trials->all[best].denied;
         bool same = false;
         for (int i = 0; i < count; i++)
             same = same || is_same(&out[i], &trials->all[best].reading, trials->search->table->n_columns);
@@ -776,17 +796,17 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         const bool of_bar = !diagnose_is_of_plane(search->task->settings);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
-        for (int i = 0; i < 4 * ways && sound && !found; i++) { /* right codes first */
+        for (int i = 0; i < 5 * ways && sound && !found; i++) { /* right codes first */
             const int round = i / ways;
             trials->nodes = i % ways;
             if (round == 0)
                 sound = try_all_times(trials, &found);
             else if (trials->doubt == 0 &&
                      (of_bar || round == 1 ||
-                      (round == 2 && deep && (trials->count == 0 || is_of_point(trials)))))
-                sound = try_codes(trials, round == 2, round == 3 ? 3 : 0,
+                      (round == 2 && deep && (most_firsts(trials) == 0 || is_of_point(trials)))))
+                sound = try_codes(trials, round % 2 == 0, round > 2 ? 3 : 0,
                                   !of_bar && round == 2 ? 1
-                                  : round == 3          ? 4
+                                  : round > 2           ? 4
                                                         : 3,
                                   &found);
         }

@@ -156,16 +156,17 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
 
 /* Whether a run that fails, or in which round-off grows, explains more than chance does of where the right
  * one departs: by the digits of all these entries, but for those that a value was fitted to. The first row
- * may be the start, which many codes share. */
+ * may be the start, which many codes share; a right code does not end where the file goes on. */
 static bool is_beyond_chance(const Search *search, const Candidate *candidate, const Walk *walk)
 {
-    enum { DIGITS = 14 };
+    enum { DIGITS = 11 }; /* some 1e5 codes are tried */
     const DiagnoseTable *table = search->table;
     const int digits = diagnose_digits_written(table); /* 0: there is no number */
     const size_t start = table->moments[0].count * (size_t)table->n_columns,
                  before = search->walk.entries > start ? search->walk.entries : start,
                  least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1);
-    return walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
+    return (candidate->kind != DIAGNOSE_SCHEME || 2 * walk->compared >= table->n_moments) &&
+           walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
 }
 
 /* Whether numbers far below those of their unit agree by more than being as small. */

@@ -352,25 +352,42 @@ static void add_unknown(DiagnoseTable *table, const Names *names, const bool *ta
     }
 }
 
-/* Whether a column counts rows or steps, from 0 or 1 on. */
-static bool does_count(const OverlayColumn *column, size_t count)
+/* Whether a column counts rows or steps by so many, from 0 or the first on. */
+static bool does_count(const OverlayColumn *column, size_t count, double by)
 {
     const double *values = column->values;
-    bool counts = count > 1 && (values[0] == 0 || values[0] == 1) && values[count - 1] > values[0];
+    bool counts = count > 1 && (values[0] == 0 || values[0] == by) && values[count - 1] > values[0];
     for (size_t r = 1; r < count && counts; r++)
-        counts = values[r] == values[r - 1] || values[r] == values[r - 1] + 1;
+        counts = values[r] == values[r - 1] || values[r] == values[r - 1] + by;
     return counts;
 }
 
+/* Whether a column without a name counts steps, or every second to tenth of them. It may hold whole
+ * milliseconds or microseconds instead: a multiple of the scenario's step, or a part of it. */
+static bool counts_steps(const OverlayColumn *column, size_t count, double dt)
+{
+    static const double units[] = {1e-3, 1e-6};
+    for (int by = 1; by <= 10; by++) {
+        bool counts = does_count(column, count, by);
+        for (size_t i = 0; i < sizeof units / sizeof *units && by > 1; i++) {
+            const double ratio = by * units[i] / dt, whole = fmax(ratio, 1 / ratio);
+            counts = counts && !(whole < 20.5 && fabs(whole - round(whole)) < 1e-6 * whole);
+        }
+        if (counts)
+            return true;
+    }
+    return false;
+}
+
 /* Columns without names: steps, times, or both come first. */
-static void find_unnamed(const Overlay *file, ColumnMap *columns)
+static void find_unnamed(const Overlay *file, double dt, ColumnMap *columns)
 {
     for (int c = 0; c < 2 && c < file->n_columns - 1; c++) {
         const double *values = file->columns[c].values;
         bool rises = file->count > 1 && values[0] >= 0;
         for (size_t r = 1; r < file->count; r++)
             rises = rises && values[r] >= values[r - 1];
-        if (c == 0 && does_count(&file->columns[c], file->count))
+        if (c == 0 && counts_steps(&file->columns[c], file->count, dt))
             columns->step = c;
         else if (rises && columns->time < 0 && values[file->count - 1] > values[0] &&
                  (c == 0 || (columns->step == 0 && fabs(values[1] - values[0] -
@@ -399,7 +416,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     for (int i = 0; i < file->n_columns; i++)
         named_any = named_any || *file->columns[i].name;
     if (!named_any)
-        find_unnamed(file, columns);
+        find_unnamed(file, sim->dt, columns);
     table->set = set_of(file, names, sim, columns);
     const int of_row[] = {columns->step,  columns->time, columns->stage, columns->stage_id,
                           columns->thing, columns->i,    columns->j};
@@ -407,7 +424,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
         if (of_row[i] >= 0)
             taken[of_row[i]] = true;
     for (int c = 0; c < file->n_columns && named_any; c++) /* row numbers, as pandas writes them */
-        taken[c] = taken[c] || (!*file->columns[c].name && does_count(&file->columns[c], file->count));
+        taken[c] = taken[c] || (!*file->columns[c].name && does_count(&file->columns[c], file->count, 1));
     table->of_stages = columns->stage >= 0 || columns->stage_id >= 0;
     const int count = table->set < 0 ? sim->n_series : sim->n_fields;
     for (int pass = 0; pass < 2; pass++) /* by our names first: another's word must not take the place */

@@ -224,6 +224,10 @@ result "is compared" says out 'those of the right code, to 1[12] digits'
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 + 1 "," $3 }' right.csv >one.csv
 expect "rows counted from 1" 0 mode5 one.csv
 result "are told" sh -c 'grep -q "^Read as: v_cm; rows carry the time after their step; dt 0.01$" out && grep -q "those of the right code" out'
+make stiff.csv mode5 --steps 50 --set bar.youngs_modulus=250 --set bar.density=1.2
+awk -F, 'NR > 1 && NR % 2 == 0 { print $1, $3 }' stiff.csv >second.csv
+expect "every second step without heads" 0 mode5 second.csv --set bar.youngs_modulus=250 --set bar.density=1.2
+result "is no time" says out '; dt 0\.00692820323, a row every 2 steps$'
 awk -F, 'NR == 1 { print "t,v" } NR > 2 { printf "%g,%s\n", $2 - .01, $3 }' right.csv >before.csv
 expect "times before their step" 0 mode5 before.csv
 result "are told too" sh -c 'grep -q "^Read as: v: v_cm; rows carry the time before their step; dt 0.01$" out && grep -q "those of the right code" out'
