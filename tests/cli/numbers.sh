@@ -568,7 +568,7 @@ known
 cp measured whole
 # two thirds: of what a beam of this size is too slow
 known --set pd.volume_correction=hhb
-claim $lesson/skin.lesson "counts them too: " 0.9765 " ms, 13 % too long" predicted 1000
+claim $lesson/skin.lesson "counts them: " 0.9765 " ms, 13 % too long" predicted 1000
 claim $lesson/skin.lesson "0.9765 ms, " 13 " % too long. That is the surface effect" over
 claim $lesson/skin.lesson "with hhb " 13 " % become" over
 two_thirds() { awk '$1 == "over_real" { part[++n] = $2 } END { print part[1] / part[2]; exit !(part[1] / part[2] > .6 && part[1] / part[2] < .7) }' measured whole; }
