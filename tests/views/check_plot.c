@@ -263,10 +263,10 @@ END_TEST
 /* A curve of before is named by more than its letter wherever that is possible. */
 START_TEST(legends_go_on_with_names)
 {
-    static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
-                                    {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL},
-                                    {LINE_SOLID, 'a', STYLE_FAINT, "FLIP 1, Courant number 0.1", "a:"},
-                                    {LINE_SOLID, 'b', STYLE_FAINT, "Courant number 0.1", "b:"}};
+    static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL, 0},
+                                    {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL, 0},
+                                    {LINE_SOLID, 'a', STYLE_FAINT, "FLIP 1, Courant number 0.1", "a:", 0},
+                                    {LINE_SOLID, 'b', STYLE_FAINT, "Courant number 0.1", "b:", 0}};
     for (int width = 36; width < 70; width++) {
         Canvas canvas = {0};
         ck_assert(canvas_open(&canvas, width, 3, NULL));
@@ -287,9 +287,9 @@ END_TEST
 /* The solid curve has its name first, whatever the room is. */
 START_TEST(legends_keep_the_solid_curve)
 {
-    static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL},
-                                    {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL},
-                                    {LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL}};
+    static const Legend legend[] = {{LINE_SOLID, '*', STYLE_MEASURED, "measured", NULL, 0},
+                                    {LINE_DOTTED, '.', STYLE_EXACT, "exact", NULL, 0},
+                                    {LINE_DASHED, '-', STYLE_PREDICTED, "predicted", NULL, 0}};
     for (int width = 26; width < 70; width++) {
         Canvas canvas = {0};
         ck_assert(canvas_open(&canvas, width, 1, NULL));
