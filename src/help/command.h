@@ -8,7 +8,6 @@
 #define HELP_COMMAND_H
 
 #include "base/status.h"
-#include "methods/method.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -117,31 +116,5 @@ const Command *command_by_key(const char *key);
 
 enum { COMMAND_KEY_MAX = 12 };
 void command_first_key(const Command *, char out[COMMAND_KEY_MAX]); /* the key that is shown: "Space" */
-
-/* What the help tells of a problem and its method: the words of its curves, and what is solved. */
-
-typedef struct HelpWord {
-    const char *word, *meaning;
-} HelpWord;
-
-typedef struct HelpPassage {
-    bool heading;
-    const char *text;
-} HelpPassage;
-
-typedef struct HelpText {
-    const char *step; /* heading of the stages, which stand between `answers` and `after` */
-    const HelpWord *words;
-    size_t n_words;
-    const HelpPassage *before;
-    size_t n_before;
-    const HelpPassage *answers;
-    size_t n_answers;
-    const HelpPassage *after;
-    size_t n_after;
-} HelpText;
-
-/* What fits what the simulation has. */
-const HelpText *help_text_of(const Simulation *);
 
 #endif

@@ -2,7 +2,7 @@
 /* The help: keys by group, what the curves mean, and what is solved, with every equation and every slip of
  * the papers. */
 #include "answers/choices.h"
-#include "help/command.h"
+#include "help/help_text.h"
 #include "panes/panes.h"
 #include "scenario/settings.h"
 #include "views/view.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The passages of the help: one set for each kind of simulation, told apart by what it has. */
-#include "help/command.h"
+#include "help/help_text.h"
 
 /* --- words of the curves --------------------------------------------------------------------------- */
 

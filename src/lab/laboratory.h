@@ -179,8 +179,6 @@ bool refining_stop(Laboratory *);
 
 /* Opening a scenario: its run is made, and put in the place of another. */
 
-typedef struct Laboratory Laboratory;
-
 /* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
 void opening_show_progress(Laboratory *, Settings *);
 

@@ -449,9 +449,13 @@ START_TEST(bonds_are_listed_once)
 }
 END_TEST
 
+/* Of one tile of columns, and of three. */
 START_TEST(fields_are_the_same_in_pieces)
 {
-    Simulation *sim = cracking();
+    BeamDef def = small_beam(BEAM_NOTCHED);
+    def.length += _i * 0.2;
+    Simulation *sim = beam_case_create(&def, NULL);
+    advance(sim, CRACKING);
     for (int field = 0; field < sim->n_fields; field++) {
         size_t count = sim->counts[sim->fields[field].set];
         double *whole = field_now(sim, sim->fields[field].set, sim->fields[field].quantity.name);
@@ -495,6 +499,41 @@ START_TEST(nodes_have_what_their_bonds_have)
                          stretch[p], most);
     }
     free(energy), free(stretch), free(of_bond), free(i), free(j), free(sum);
+    simulation_destroy(sim);
+}
+END_TEST
+
+/* sigma_ab = 1/2 sum_j pull |y| n_a n_b, y = y_j - y_i, from the table of bonds; each has two ends. */
+START_TEST(nodes_have_the_stress_of_their_bonds)
+{
+    static const char *const names[] = {"sxx", "syy", "sxy"};
+    Simulation *sim = cracking();
+    const size_t nodes = sim->counts[SET_PARTICLE], bonds = sim->counts[SET_BOND];
+    double *i = field_now(sim, SET_BOND, "i"), *j = field_now(sim, SET_BOND, "j"),
+           *pull = field_now(sim, SET_BOND, "pull");
+    double *x = field_now(sim, SET_PARTICLE, "x0"), *y = field_now(sim, SET_PARTICLE, "y0");
+    double *ux = field_now(sim, SET_PARTICLE, "ux"), *uy = field_now(sim, SET_PARTICLE, "uy");
+    for (size_t p = 0; p < nodes; p++)
+        x[p] += ux[p], y[p] += uy[p];
+    for (int k = 0; k < 3; k++) {
+        double *stress = field_now(sim, SET_PARTICLE, names[k]), *sum = calloc(2 * nodes, sizeof *sum);
+        ck_assert_ptr_nonnull(sum);
+        for (size_t b = 0; b < bonds; b++) {
+            const size_t ends[2] = {(size_t)i[b], (size_t)j[b]};
+            const double along = x[ends[1]] - x[ends[0]], across = y[ends[1]] - y[ends[0]];
+            const double product = k == 0 ? along * along : k == 1 ? across * across : along * across;
+            const double term = pull[b] * product / hypot(along, across) / 2;
+            for (int end = 0; end < 2; end++) {
+                sum[ends[end]] += term;
+                sum[nodes + ends[end]] += fabs(term);
+            }
+        }
+        for (size_t p = 0; p < nodes; p++)
+            ck_assert_msg(fabs(stress[p] - sum[p]) <= 1e-11 * sum[nodes + p],
+                          "%s of node %zu is %.17g, its bonds have %.17g", names[k], p, stress[p], sum[p]);
+        free(stress), free(sum);
+    }
+    free(i), free(j), free(pull), free(x), free(y), free(ux), free(uy);
     simulation_destroy(sim);
 }
 END_TEST
@@ -756,8 +795,9 @@ void add_cases(Suite *suite)
     TCase *told = tcase_create("told");
     tcase_add_loop_test(told, links_add_up_to_the_force, 0, 2);
     tcase_add_test(told, bonds_are_listed_once);
-    tcase_add_test(told, fields_are_the_same_in_pieces);
+    tcase_add_loop_test(told, fields_are_the_same_in_pieces, 0, 2);
     tcase_add_test(told, nodes_have_what_their_bonds_have);
+    tcase_add_test(told, nodes_have_the_stress_of_their_bonds);
     tcase_add_loop_test(told, energies_of_nodes_add_up, 0, 2);
     tcase_add_test(told, every_stage_explains_itself);
     tcase_add_loop_test(told, stages_say_what_acts, 0, 2);

@@ -75,7 +75,6 @@ void command_redraw(Laboratory *lab)
 
 void command_suspend(Laboratory *lab)
 {
-    if (lab->asker != ASKER_REPLAY) /* a replay does not suspend the program */
-        if (lab->host.suspend)
-            lab->host.suspend(lab->host.context);
+    if (lab->host.suspend && lab->asker != ASKER_REPLAY) /* a replay does not suspend the program */
+        lab->host.suspend(lab->host.context);
 }

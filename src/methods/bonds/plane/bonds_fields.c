@@ -255,8 +255,8 @@ static int larger(int a, int b)
  *                                                             surface of the family that is left
  *
  * A view may colour by them in every frame, so a tile's bonds of one direction are taken at once, and each is
- * given to both ends. A node meets its bonds in the same order whatever the range: its sum has the same bits.
- */
+ * given to both ends. Tiles begin at the same columns whatever the range, so a node meets its bonds in one
+ * order, and its sum has the same bits. */
 static void family_field(const Beam *beam, int field, size_t first, size_t count, double *out)
 {
     const Lattice *lattice = &beam->lattice;
@@ -269,7 +269,7 @@ static void family_field(const Beam *beam, int field, size_t first, size_t count
         out[k] = field == F_STRETCH ? no_stretch : 0;
     for (int j = low > lattice->rise ? low - lattice->rise : 0; j <= high; j++)
         for (int o = 0; o < lattice->n_offsets; o++)
-            for (size_t tile = lattice->n_tiles; tile-- > 0;) {
+            for (size_t tile = 0; tile < lattice->n_tiles; tile++) {
                 const Offset *offset = &lattice->offsets[o];
                 const int p = offset->p, ends = lattice->nx - (p > 0 ? p : 0);
                 const int from = larger((int)lattice_tile(lattice, tile), larger(left, p < 0 ? -p : 0));
