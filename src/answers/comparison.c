@@ -236,7 +236,7 @@ FILL(late, "periods behind", "%.2f",
 FILL(broken, "broken bonds", "%.0f", run->breaks || run->follows,
      (double)(run->breaks ? run->crack.measured.broken : run->fronts.broken))
 FILL(tips, "tips of cracks", "%.0f", run->follows, run->fronts.n_tips)
-FILL(fastest, "fastest, m/s", "%.0f", run->follows &&isfinite(run->fronts.fastest), run->fronts.fastest)
+FILL(fastest, "fastest, m/s", "%.0f", isfinite(run->fronts.fastest) && run->follows, run->fronts.fastest)
 FILL(branch, "branched at t, µs", "%.1f", run->follows && run->fronts.branched,
      run->fronts.branch_time / 1e-6)
 FILL(length, "crack's length, mm", "%.1f", run->breaks, run->crack.measured.length / 1e-3)

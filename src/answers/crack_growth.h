@@ -12,6 +12,7 @@
 
 /* Paper P, section 3.3: the crack leaves the notch at about this angle. */
 #define CRACK_PAPER_ANGLE 30.0
+#define CRACK_PAPER_SLOPE 0.57735026918962576 /* its tangent, 1/sqrt(3) */
 
 enum { CRACK_ANGLES = 3 };
 

@@ -564,16 +564,26 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
 
 /* Beside right codes of all schemes, which a file without its start does not tell; or beside each with one
  * mistake: the start may be wrong, or what a column is may show only later, as of two particles that begin
- * alike. Passes: plain times, then others, of codes of few choices; then of many. */
-static bool try_codes(Trials *trials, bool wrong, int pass, int end, bool *found)
+ * alike. Passes 0 and 1: codes of few choices, with plain times, then others; 2 and 3: of many. */
+typedef struct Round {
+    bool wrong;       /* codes with a mistake */
+    int pass, end;    /* from this pass to before that one, */
+    int end_of_plane; /* or, of a plane, whose runs take longer, that one */
+} Round;
+
+static const Round rounds[] = {{false, 0, 3, 3}, {true, 0, 3, 1}, {false, 3, 4, 0}, {true, 3, 4, 0}};
+enum { ROUNDS = sizeof rounds / sizeof *rounds };
+
+static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
 {
     enum { FEW_CHOICES = 1, SOME_CHOICES = 2 };
+    const bool wrong = round->wrong;
     const Settings *right = trials->search->task->settings;
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
         wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
     bool sound = true;
-    for (; pass < end; pass++)
+    for (int pass = round->pass; pass < end; pass++)
         for (int i = 0; i < trials->n_times && sound && !*found; i++) {
             const TrialTimes *times = &trials->times[i];
             const DiagnoseReading reading = reading_of(trials, times);
@@ -796,19 +806,15 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         const bool of_bar = !diagnose_is_of_plane(search->task->settings);
         const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
         bool sound = true;
-        for (int i = 0; i < 5 * ways && sound && !found; i++) { /* right codes first */
-            const int round = i / ways;
-            trials->nodes = i % ways;
-            if (round == 0)
-                sound = try_all_times(trials, &found);
-            else if (trials->doubt == 0 &&
-                     (of_bar || round == 1 ||
-                      (round == 2 && deep && (most_firsts(trials) == 0 || is_of_point(trials)))))
-                sound = try_codes(trials, round % 2 == 0, round > 2 ? 3 : 0,
-                                  !of_bar && round == 2 ? 1
-                                  : round > 2           ? 4
-                                                        : 3,
-                                  &found);
+        for (int way = 0; way < ways && sound && !found; way++) {
+            trials->nodes = way > 0;
+            sound = try_all_times(trials, &found);
+        }
+        for (int i = 0; i < ROUNDS * ways && sound && !found && trials->doubt == 0; i++) {
+            const Round *round = &rounds[i / ways];
+            trials->nodes = i % ways > 0;
+            if (of_bar || !round->wrong || (deep && (most_firsts(trials) == 0 || is_of_point(trials))))
+                sound = try_codes(trials, round, of_bar ? round->end : round->end_of_plane, &found);
         }
         for (int i = 0; i < trials->count; i++)
             found = found || trials->all[i].throughout;

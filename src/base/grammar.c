@@ -174,8 +174,8 @@ static bool read_signed(Grammar *grammar, bool *truth)
     return sound;
 }
 
-/* Whether a unit stands there, as in "5 mm" and "3 1/ms", of which the 1 is passed. */
-static bool is_unit(Grammar *grammar)
+/* True: a unit comes next, as in "5 mm" and "3 1/ms". Of "1/ms" the 1 is passed in any case. */
+static bool reach_unit(Grammar *grammar)
 {
     if (!grammar->dialect->has_units)
         return false;
@@ -195,7 +195,7 @@ bool grammar_read(Grammar *grammar, GrammarLevel level, bool *truth)
     if (!grammar_read(grammar, level + 1, truth))
         return false;
     for (;;) {
-        const bool unit = level == LEVEL_PRODUCT && is_unit(grammar);
+        const bool unit = level == LEVEL_PRODUCT && reach_unit(grammar);
         const Sign *sign = unit ? &beside : sign_at(grammar, level);
         bool chosen = false, right = false;
         if (!sign)

@@ -215,7 +215,8 @@ static bool apply(Grammar *grammar, GrammarVerb verb, int power)
 {
     Reader *reader = grammar->context;
     const Value *last = &reader->values[reader->count - 1];
-    Value *value = &reader->values[verb >= VERB_ADD ? --reader->count - 1 : reader->count - 1];
+    reader->count -= verb >= VERB_ADD; /* of two values one is left */
+    Value *value = &reader->values[reader->count - 1];
     switch (verb) {
     case VERB_ADD:
     case VERB_SUBTRACT:

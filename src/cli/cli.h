@@ -10,6 +10,7 @@
 #include "base/status.h"
 #include "cli/options.h"
 #include "scenario/assignment.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>

@@ -66,8 +66,7 @@ static void describe_path(const Screen *screen, Picture *picture)
     picture_line(picture, load, height, load, height - settings_bonds(settings)->protected_depth, pen);
     if (screen_shows_exact(screen)) {
         const double towards = load < notch->position ? -1 : 1, rise = height - notch->depth;
-        const double angle = CRACK_PAPER_ANGLE * M_PI / 180;
-        const double end = notch->position + towards * rise * math_sin(angle) / math_cos(angle);
+        const double end = notch->position + towards * rise * CRACK_PAPER_SLOPE;
         picture_line(picture, notch->position, notch->depth, end, height, pen_exact);
     }
     for (int r = 0; r < n_runs; r++) {

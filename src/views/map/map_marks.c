@@ -54,8 +54,7 @@ static void draw_notch(Map *map)
     }
     /* the paper's angle, from the notch towards the load: an answer, as the exact curves are */
     const double side = settings_loads(settings)->position < end[0] ? -1 : 1, rise = top - depth - end[1];
-    const double angle = CRACK_PAPER_ANGLE * M_PI / 180;
-    const double at[2] = {end[0] + side * rise * math_sin(angle) / math_cos(angle), end[1] + rise};
+    const double at[2] = {end[0] + side * rise * CRACK_PAPER_SLOPE, end[1] + rise};
     if (screen_shows_exact(map->screen))
         map_body_line(
             map, end, at,

@@ -39,8 +39,8 @@ static const Stage stage_table[N_STAGES] = {
                      "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken\n"
                      "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
                      "eqs. 2, 3, 6, 8",
-                     "The force of a bond is in proportion to its stretch until it breaks; a node has the "
-                     "sum over its family.",
+                     "The force of a bond is in proportion to its stretch until it breaks; the force on a "
+                     "node is the sum over its family.",
                      "ux uy", "fx fy stretch broken broken_at"},
     [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, "eq. 8", NULL, "loaded fy",
                           "fy"}, /* by its terms */
@@ -59,13 +59,13 @@ static const Stage line_stages[STAGE_DAMAGE] = {
     [STAGE_CONSTRAINTS] =
         {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0", "odd reflection",
          "Beyond a fixed end lies a mirror image of the bar; beyond a free end there is nothing.", "u", "u"},
-    [STAGE_BONDS] =
-        {"bonds", "bond forces",
-         "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
-         "f(i) = Σ c G w s V sign(ξ+η)",
-         "eqs. 2, 3, 8",
-         "The force of a bond is in proportion to its stretch; a node has the sum over its family.",
-         "u family surface_factor", "force stress strain density strain_energy"},
+    [STAGE_BONDS] = {"bonds", "bond forces",
+                     "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
+                     "f(i) = Σ c G w s V sign(ξ+η)",
+                     "eqs. 2, 3, 8",
+                     "The force of a bond is in proportion to its stretch; the force on a node is the sum "
+                     "over its family.",
+                     "u family surface_factor", "force stress strain density strain_energy"},
     [STAGE_BODY_FORCE] = {"load", "loads", NULL, "eq. 8", NULL, "load force", "force"}, /* by its terms */
     [STAGE_SECOND_KICK] =
         VERLET_SECOND_KICK("The new force completes the velocity of the step.", "v force acceleration", "v"),
