@@ -495,7 +495,7 @@ bool bar_mode(const Settings *settings, int number, BarWave *wave_of, ModeOnMesh
     return true;
 }
 
-/* The sharp invariant of the bar by the material point method: answers/invariant.h says what it is. */
+/* The sharp invariant of the bar by the material point method: answers/references.h says what it is. */
 bool bar_invariant_kept(const Settings *settings)
 {
     return settings_transfer(settings)->transfer == MPM_FLIP &&

@@ -103,7 +103,7 @@ static bool fill_digits(const Standing *run, char *label, char *value)
 /* --- energy ---------------------------------------------------------------------------------------- */
 
 /* 100 (E* now over E* at the start, - 1) %: the loss without the ripple of staggered velocities and stresses,
- * where E* is kept (invariant.h). */
+ * where E* is kept (references.h). */
 static bool fill_loss(const Standing *run, char *label, char *value)
 {
     double now, start;

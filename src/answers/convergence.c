@@ -4,7 +4,7 @@
  * order is the slope of a straight line through log |error| over log size. */
 #include "answers/convergence.h"
 #include "base/assertion.h"
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
@@ -200,13 +200,13 @@ static const ConvergenceStudy studies[] = {
     BOTH_METHODS(METHOD_PD),
 };
 
-/* A study without runs needs a predicted answer that knows all parameters at work (known.h). */
+/* A study without runs needs a predicted answer that knows all parameters at work (references.h). */
 int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX])
 {
     const Problem *problem = settings->problem;
     const Solver *solver = problem_solver(problem, settings->method);
     int count = 0;
-    const bool predicts = solver && solver->predict && !known_unaccounted_now(settings, REFERENCE_PREDICTED);
+    const bool predicts = solver && solver->predict && !answer_unaccounted_now(settings, REFERENCE_PREDICTED);
     for (int i = 0; i < LENGTH_OF(studies); i++)
         if ((studies[i].by_run || predicts) &&
             (problem->concerns & studies[i].concerns) == studies[i].concerns &&

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hands the questions of dispersion_curves.h on to the solver, and leaves out what does not account for a
- * parameter that is at work (known.h). */
+ * parameter that is at work (references.h). */
 #include "answers/dispersion_curves.h"
 #include "base/assertion.h"
 #include "scenario/settings.h"
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/concern_bonds.h"
 #include "theory/pd_waves.h"
 
@@ -15,7 +15,7 @@
 int dispersion_modes(const Settings *settings)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
-    if (!solver || !solver->modes || known_unaccounted_now(settings, REFERENCE_FREQUENCY))
+    if (!solver || !solver->modes || answer_unaccounted_now(settings, REFERENCE_FREQUENCY))
         return 0;
     return solver->modes(settings);
 }
@@ -28,7 +28,7 @@ bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
     if (number < 1 || number > dispersion_modes(settings) ||
         !problem_solver(settings->problem, settings->method)->mode(settings, number, out))
         return false;
-    if (known_unaccounted_now(settings, REFERENCE_PREDICTED)) {
+    if (answer_unaccounted_now(settings, REFERENCE_PREDICTED)) {
         out->predicted = NAN;
         out->n_factors = 0;
     }
@@ -39,7 +39,7 @@ const char *dispersion_other_way(const Settings *settings, int which, int number
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
     if (!solver || !solver->other_way || number < 1 || number > dispersion_modes(settings) ||
-        known_unaccounted_now(settings, REFERENCE_PREDICTED))
+        answer_unaccounted_now(settings, REFERENCE_PREDICTED))
         return NULL;
     return solver->other_way(settings, which, number, frequency);
 }

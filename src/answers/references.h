@@ -6,6 +6,8 @@
 
 #include "base/text.h"
 #include "problems/problem.h"
+#include "scenario/assignment.h"
+#include "methods/method.h"
 
 /* Where a number comes from; the three words that are used everywhere. */
 typedef enum ColumnKind { COLUMN_MEASURED, COLUMN_PREDICTED, COLUMN_EXACT } ColumnKind;
@@ -136,5 +138,42 @@ NumberText readout_text(const Readout *, int most);
 
 /* From a record of rows (n_columns numbers each, equally spaced): measured as soon as it can be. */
 void references_readout(const References *, const double *rows, size_t n_rows, int n_columns, Readout *);
+
+/* Which references account for a run: each names the parameters that it understands, and leaves where another
+ * one is at work. */
+
+/* The key of a parameter that is at work in these settings (not at its neutral value, or changed in mid-run)
+ * and that the reference does not account for; NULL: it knows the run, or there is no such reference. */
+const char *answer_invalid_because(const Settings *, Reference);
+
+/* The same of the values alone, whatever changes on the way. */
+const char *answer_unaccounted_now(const Settings *, Reference);
+
+/* And of the lists of keys alone: a solver may say more of what a reference does not know, though what is
+ * predicted of the largest step still holds. */
+const char *answer_unlisted_now(const Settings *, Reference);
+
+enum { KNOWN_TEXT_MAX = 120 };
+
+/* "exact, frequency: not known with mpm.damping": the references that are left out because of the first such
+ * key that any of them has. *step (may be NULL): from where on it is at work. False: all are known. */
+bool answers_known_text(const Settings *, char out[KNOWN_TEXT_MAX], long *step);
+
+/* The sharp invariant of the bar: its energy without the ripple.
+ *
+ * Velocities and stresses of the material point method are known half a step apart, so kinetic and strain
+ * energy at the same step do not belong together and their sum ripples. What belongs together is
+ *
+ *     E* = sum of m v^n v^{n+1} / 2 + strain energy of the stress that turns v^n into v^{n+1}:
+ *
+ * the new one with USF, the old one with MUSL and USL. A loss of energy is measured by it wherever it exists.
+ */
+
+/* Whether there is one: bars without a load, velocities by FLIP alone; else E* is not what is kept. */
+bool references_have_invariant(const Settings *);
+
+/* E* of a simulation between steps, with the settings in force at its step, worked out by one step ahead; the
+ * simulation stands where it stood afterwards. NAN: the step failed, or no memory. */
+double references_invariant(Simulation *, const Settings *);
 
 #endif

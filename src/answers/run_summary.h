@@ -8,7 +8,7 @@
 #include "base/status.h"
 
 /* How the change of a run's energy is measured, so that the ripple of kinetic and strain energy, which are
- * known half a step apart, does not enter: by E* where there is one (answers/invariant.h), else by the
+ * known half a step apart, does not enter: by E* where there is one (answers/references.h), else by the
  * means of total - work over the first and the last period, or tenths of the run where no one period is
  * known. */
 typedef enum EnergyMeasure { ENERGY_NOT_KNOWN, ENERGY_INVARIANT, ENERGY_PERIOD, ENERGY_TENTH } EnergyMeasure;

@@ -5,7 +5,7 @@
 #include "base/assertion.h"
 #include "scenario/settings.h"
 #include "base/text.h"
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/parameters.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ static double span_of(RunSummary *summary, double end)
     return summary->energy_measure == ENERGY_PERIOD ? period : end / 10;
 }
 
-/* How much the energy has changed, in percent. E* (invariant.h) where it exists, for it does not oscillate;
+/* How much the energy has changed, in percent. E* (references.h) where it exists, for it does not oscillate;
  * else
  *
  *     100 (mean of the last span - mean of the first)/(mean of the first)
@@ -376,7 +376,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
         add(&writer, "%s\n", found);
     }
     char unaccounted[KNOWN_TEXT_MAX];
-    if (known_text(settings, unaccounted, NULL))
+    if (answers_known_text(settings, unaccounted, NULL))
         add(&writer, "%s\n", unaccounted);
     char text[SUMMARY_MAX];
     summary_crack_text(summary, "us", text);

@@ -8,7 +8,7 @@
 #include "base/output.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
-#include "answers/fit_data.h"
+#include "answers/fit_search.h"
 #include "run/overlay.h"
 #include "scenario/parameters.h"
 

@@ -7,7 +7,7 @@
 #include "scenario/settings.h"
 #include "scenario/changes.h"
 #include "export/export_internal.h"
-#include "answers/invariant.h"
+#include "answers/references.h"
 #include "answers/summary.h"
 #include "scenario/parameters.h"
 
@@ -85,10 +85,11 @@ static bool end_early(Export *export, Status *status)
 static double invariant_of(const Export *export)
 {
     Settings then;
-    if (export->run.sim->failed || export->run.sim->stage != 0 || !invariant_exists(export->settings))
+    if (export->run.sim->failed || export->run.sim->stage != 0 ||
+        !references_have_invariant(export->settings))
         return NAN;
     changes_in_force(export->settings, export->run.sim->step, &then);
-    return invariant_exists(&then) ? invariant_now(export->run.sim, &then) : NAN;
+    return references_have_invariant(&then) ? references_invariant(export->run.sim, &then) : NAN;
 }
 
 /* What cannot be worked out stays away from a summary; for want of memory it must not. */

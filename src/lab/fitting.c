@@ -5,7 +5,7 @@
 
 #include "scenario/settings.h"
 #include "base/text.h"
-#include "answers/fit_data.h"
+#include "answers/fit_search.h"
 #include "scenario/parameters.h"
 #include "views/view.h"
 #include "answers/diagnose.h"

@@ -175,7 +175,7 @@ static const char *damping(const Settings *settings)
 
 /* --- the sharp invariant -------------------------------------------------------------------------- */
 
-/* E* (answers/invariant.h): sum of m v^n v^(n+1)/2 and the strain energy that belongs to it. */
+/* E* (answers/references.h): sum of m v^n v^(n+1)/2 and the strain energy that belongs to it. */
 static double invariant(Simulation *sim, const Settings *settings)
 {
     const size_t count = 2 * sim->counts[0];

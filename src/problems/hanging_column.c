@@ -7,7 +7,7 @@
 #include "scenario/concern_loads.h"
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
-#include "theory/hanging_column.h"
+#include "theory/large_strain.h"
 #include "base/math/functions.h"
 
 #include <math.h>

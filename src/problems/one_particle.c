@@ -8,7 +8,7 @@
 #include "scenario/settings.h"
 #include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
-#include "theory/oscillator.h"
+#include "theory/large_strain.h"
 #include "base/math/functions.h"
 
 #include <math.h>

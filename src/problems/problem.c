@@ -7,7 +7,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/parameters.h"
 
 #include <math.h>
@@ -80,7 +80,7 @@ bool problem_advice(const Settings *settings, char *advice, size_t size, Status 
     if (!solver || (solver->advice && !solver->advice(settings, advice, size, status)))
         return false;
     /* the limit is predicted: with a parameter that the prediction does not account for it is not known */
-    return !solver->limit || known_unlisted_now(settings, REFERENCE_PREDICTED) ||
+    return !solver->limit || answer_unlisted_now(settings, REFERENCE_PREDICTED) ||
            solver->limit(settings, advice, size, status);
 }
 

@@ -68,9 +68,9 @@ typedef enum Reference {
 
 /* What a reference accounts for: it takes the parameter into its formula, or knows that it has none then, or
  * that the parameter is of no matter to it. Of a parameter that is not named here it knows nothing: in a run
- * where that is not at its neutral value the reference leaves by itself (known.h), with its column, curve and
- * verdict. So a new parameter is named by those references that were made to account for it, and by no
- * others. */
+ * where that is not at its neutral value the reference leaves by itself (references.h), with its column,
+ * curve and verdict. So a new parameter is named by those references that were made to account for it, and by
+ * no others. */
 typedef struct Validity {
     const char *const *keys;    /* ended by NULL; NULL: there is no such reference */
     const char *const *changes; /* those of them that may change in mid-run; NULL: none */
@@ -121,7 +121,7 @@ typedef struct Solver {
     /* The name of another way of the method, and the mode's frequency by it; NULL: behind the last. */
     const char *(*other_way)(const Settings *, int which, int number, double *frequency);
 
-    /* The sharp invariant of the energy (answers/invariant.h), and whether it is kept. */
+    /* The sharp invariant of the energy (answers/references.h), and whether it is kept. */
     double (*invariant)(Simulation *, const Settings *);
     bool (*invariant_kept)(const Settings *);
 

@@ -5,7 +5,7 @@
 #include "run/experiment_internal.h"
 #include "scenario/settings.h"
 #include "base/text.h"
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/changes.h"
 
 #include <math.h>
@@ -190,7 +190,7 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
         /* Which references are left out, and because of which parameter. */
         char text[KNOWN_TEXT_MAX];
         long step;
-        if (known_text(&experiment->base, text, &step))
+        if (answers_known_text(&experiment->base, text, &step))
             add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, text);
     }
     const double late = lag_per_time(readout);

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Edits: another run in the place of this one, or another future of it. */
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "run/experiment_internal.h"
 #include "scenario/changes.h"
 #include "scenario/parameters.h"
-#include "answers/invariant.h"
 
 #include <math.h>
 #include <string.h>
@@ -293,7 +292,7 @@ void experiment_become_ghost(Experiment *experiment, Experiment *heir)
     experiment_destroy(experiment);
 }
 
-/* The sharp invariant (invariant.h) as the laboratory shows it: worked out once for each step that is looked
+/* The sharp invariant (references.h) as the laboratory shows it: worked out once for each step that is looked
  * at, not while large bars run. */
 
 enum { RUNNING_MAX = 20000, PAUSED_MAX = 500000 }; /* particles; a picture must not wait for more */
@@ -306,14 +305,14 @@ typedef struct Start {
 static void look(Simulation *sim, void *context)
 {
     Start *start = context;
-    start->energy = invariant_now(sim, start->base);
+    start->energy = references_invariant(sim, start->base);
 }
 
 bool experiment_invariant(const Experiment *experiment, double *now, double *start)
 {
     Simulation *sim = experiment->run.sim;
     Invariant *known = &experiment->worked->invariant;
-    if (!invariant_exists(&experiment->now) || !invariant_exists(&experiment->base))
+    if (!references_have_invariant(&experiment->now) || !references_have_invariant(&experiment->base))
         return false;
     if (sim->counts[0] > PAUSED_MAX)
         return false;
@@ -325,7 +324,7 @@ bool experiment_invariant(const Experiment *experiment, double *now, double *sta
         known->start = at_first.energy;
     }
     if (known->step != sim->step && sim->stage == 0 && sim->item == 0 && !busy && !sim->failed) {
-        known->now = invariant_now(sim, &experiment->now);
+        known->now = references_invariant(sim, &experiment->now);
         known->step = sim->step;
     }
     *now = known->now;

@@ -8,11 +8,9 @@
 #include "answers/dispersion_curves.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
-#include "answers/invariant.h"
+#include "answers/references.h"
 #include "answers/summary.h"
 #include "run/lab_case.h"
-#include "answers/known.h"
-#include "answers/references.h"
 #include "scenario/changes.h"
 #include "scenario/parameter_table.h"
 #include "scenario/scenario.h"
@@ -188,15 +186,15 @@ START_TEST(answers_leave_where_a_stranger_comes_on_the_way)
     Settings settings = load("planted", NULL, NULL);
     ck_assert(changes_add(&settings, 1000, "mpm.damping", "0.5", NULL));
     ck_assert_str_eq(answer_invalid_because(&settings, REFERENCE_EXACT), "mpm.damping");
-    ck_assert_ptr_null(known_unaccounted_now(&settings, REFERENCE_EXACT));
+    ck_assert_ptr_null(answer_unaccounted_now(&settings, REFERENCE_EXACT));
     long step;
     char text[KNOWN_TEXT_MAX];
-    ck_assert(known_text(&settings, text, &step));
+    ck_assert(answers_known_text(&settings, text, &step));
     ck_assert_int_eq(step, 1000);
     /* what is known to leave the continuum alone takes only the prediction along */
     Settings usl = load("planted", NULL, NULL);
     ck_assert(changes_add(&usl, 1000, "mpm.algorithm", "usl", NULL));
-    ck_assert(known_text(&usl, text, NULL));
+    ck_assert(answers_known_text(&usl, text, NULL));
     ck_assert_str_eq(text, "predicted: not known with mpm.algorithm");
 }
 END_TEST

@@ -8,7 +8,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "answers/bar_answers.h"
-#include "answers/known.h"
+#include "answers/references.h"
 #include "scenario/scenario.h"
 #include "run/lab_case.h"
 #include "suite.h"

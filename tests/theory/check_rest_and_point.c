@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One particle at any amplitude, and a bar that hangs: against digits of others, and against the equations.
  */
-#include "theory/hanging_column.h"
-#include "theory/oscillator.h"
+#include "theory/large_strain.h"
 #include "suite.h"
 
 #include <math.h>

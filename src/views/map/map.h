@@ -132,4 +132,12 @@ void map_cross_text(const Map *, char *out, size_t size);
 /* The beam before it moves, with its dimensions. */
 void map_drawing(const Screen *, Picture *);
 
+/* The directions in which a stress of the plane has no shear. Pa, tension positive. */
+typedef struct Principal {
+    double most, least; /* the two principal stresses */
+    double angle;       /* of the direction of the first, radians from x towards y, -pi/2 to pi/2 */
+} Principal;
+
+Principal principal_stresses(double xx, double yy, double xy);
+
 #endif

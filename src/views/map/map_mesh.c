@@ -7,7 +7,6 @@
 #include "panes/screen.h"
 
 #include "base/math/functions.h"
-#include "answers/stress.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -87,6 +86,15 @@ static void add_arrows(Map *map, const MeshNodes *mesh)
 
 /* --- the chosen particle's stress --------------------------------------------------------------------- */
 
+/* By Mohr's circle: its middle is the mean stress, its radius
+ *
+ *     r = sqrt(((sxx - syy)/2)^2 + sxy^2),   tan 2a = 2 sxy/(sxx - syy) */
+Principal principal_stresses(double xx, double yy, double xy)
+{
+    const double mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = math_hypot(half, xy);
+    return (Principal){mean + radius, mean - radius, math_atan2(xy, half) / 2};
+}
+
 /* The principal stresses of the chosen particle, and the largest of all; false: none is chosen, the particles
  * tell no stress, or no memory. */
 static bool chosen_stress(const Map *map, Principal *own, double *most)
@@ -105,7 +113,7 @@ static bool chosen_stress(const Map *map, Principal *own, double *most)
     }
     *most = 0;
     for (size_t i = 0; i < count && sound; i++) {
-        const Principal is = stress_principal(values[i], values[count + i], values[2 * count + i]);
+        const Principal is = principal_stresses(values[i], values[count + i], values[2 * count + i]);
         *most = fmax(*most, fmax(fabs(is.most), fabs(is.least)));
         if (i == chosen)
             *own = is;
