@@ -208,6 +208,44 @@ bool output_may_begin(const char *name, Asker asker, bool force, Status *status)
     return !S_ISREG(what.st_mode) || (may_replace(name, asker, force, status) && folder_takes(name, status));
 }
 
+bool output_names_take(OutputNames *names, const char *name, Status *status)
+{
+    if (!name)
+        return true;
+    if (!output_may_begin(name, names->asker, names->force, status))
+        return false;
+    if (output_is_standard(name))
+        return names->standard++ == 0 || status_refuse(status, "two outputs cannot both be standard output");
+    if (names->count == names->room) {
+        names->room = 2 * names->room + 16;
+        char **grown = realloc(names->real, names->room * sizeof *grown);
+        if (!grown)
+            return no_memory(status);
+        names->real = grown;
+    }
+    names->real[names->count] = output_real_name(name, status);
+    return names->real[names->count] && ++names->count;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* There may be a million of them: two that are alike stand side by side once they are sorted. */
+bool output_names_differ(OutputNames *names, bool sound, Status *status)
+{
+    if (names->count > 0)
+        qsort(names->real, names->count, sizeof *names->real, compare_names);
+    for (size_t i = 1; sound && i < names->count; i++)
+        if (strcmp(names->real[i - 1], names->real[i]) == 0)
+            sound = status_refuse(status, "%s: two outputs cannot be the same file", names->real[i]);
+    for (size_t i = 0; i < names->count; i++)
+        free(names->real[i]);
+    free(names->real);
+    return sound;
+}
+
 /* Bytes of the name of a file that the name of its temporary file begins with: that has more behind it, and a
  * name has no more than 255. */
 static size_t stem_length(const char *base)

@@ -47,6 +47,21 @@ bool output_may_begin(const char *name, Asker, bool force, Status *);
  * folder (the status says which). */
 char *output_real_name(const char *name, Status *);
 
+/* The names of all files of a command, of which no two may be one, known before anything is calculated. */
+typedef struct OutputNames {
+    Asker asker;
+    bool force;
+    char **real;
+    size_t count, room;
+    int standard;
+} OutputNames;
+
+/* Whether this one may be begun; NULL: it is not asked for. */
+bool output_names_take(OutputNames *, const char *name, Status *);
+
+/* Whether all of them, which were `sound` so far, are different files; frees them. */
+bool output_names_differ(OutputNames *, bool sound, Status *);
+
 bool output_open(OutputFile *, Asker, const char *name, bool force, Status *);
 
 /* A file that the program keeps for itself: what has the name is replaced, and where that is a link it is the

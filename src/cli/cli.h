@@ -85,12 +85,6 @@ int progress_result(bool done, const Status *);
 /* The number given with --threads, else as many as this process may use. */
 int progress_threads(long wanted);
 
-/* Whether the outputs of a command line are different files, found out before anything is calculated. */
-
-/* Those that are NULL are not asked for; "-" is standard output, of which there is one. False: two are the
- * same file, and the status names it. */
-bool cli_outputs_differ(const char *const *outputs, int count, Status *);
-
 /* What follows from settings: derived numbers and advice as lines of text, for `show` and `params`. */
 
 enum { DERIVED_TEXT_MAX = 4096 };

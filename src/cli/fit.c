@@ -145,13 +145,12 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
 
 static bool may_write(const Options *options, Status *status)
 {
-    const char *const outputs[] = {options->output, options->figure};
-    return (!options->output ||
-            output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)) &&
-           (!options->figure ||
-            (figure_allowed(options->figure, status) &&
-             output_may_begin(options->figure, ASKER_COMMAND_LINE, options->force, status))) &&
-           cli_outputs_differ(outputs, 2, status);
+    OutputNames names = {.asker = ASKER_COMMAND_LINE, .force = options->force};
+    return output_names_differ(&names,
+                               output_names_take(&names, options->output, status) &&
+                                   (!options->figure || figure_allowed(options->figure, status)) &&
+                                   output_names_take(&names, options->figure, status),
+                               status);
 }
 
 /* The run goes as far as the data do. */

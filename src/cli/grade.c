@@ -328,13 +328,14 @@ static bool write_all(Marking *marking, const Options *options, Status *status)
 
 static bool may_write(const Options *options, Status *status)
 {
-    const char *const outputs[] = {options->output ? options->output : "-", options->moodle, options->sheet};
-    return (!options->output ||
-            output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)) &&
-           (!options->moodle ||
-            output_may_begin(options->moodle, ASKER_COMMAND_LINE, options->force, status)) &&
-           (!options->sheet || leaflet_allowed(options->sheet, ASKER_COMMAND_LINE, options->force, status)) &&
-           cli_outputs_differ(outputs, 3, status);
+    OutputNames names = {.asker = ASKER_COMMAND_LINE, .force = options->force};
+    return output_names_differ(
+        &names,
+        output_names_take(&names, options->output ? options->output : "-", status) &&
+            output_names_take(&names, options->moodle, status) &&
+            (!options->sheet || leaflet_allowed(options->sheet, names.asker, names.force, status)) &&
+            output_names_take(&names, options->sheet, status),
+        status);
 }
 
 /* `matvib grade --key LESSON`: the right answers of a lesson's exercises, for the teacher. */

@@ -29,76 +29,28 @@ static const char *table_name(const Outputs *outputs, int i)
 
 enum { NAMES_A_QUESTION = 256 };
 
-/* All names that will be files, collected to see whether two are the same and whether any exists. */
-typedef struct Names {
-    char **real;
-    size_t count, room;
-    int standard;
-    Asker asker;
-    bool force;
-} Names;
-
-static bool take_name(Names *names, const char *name, Status *status)
-{
-    if (!output_may_begin(name, names->asker, names->force, status))
-        return false;
-    if (output_is_standard(name)) {
-        if (names->standard++ > 0)
-            return status_refuse(status, "two outputs cannot both be standard output");
-        return true;
-    }
-    char **grown = names->real;
-    if (names->count == names->room) {
-        names->room = 2 * names->room + 16;
-        grown = realloc(names->real, names->room * sizeof *grown);
-        if (grown)
-            names->real = grown;
-    }
-    char *real = grown ? output_real_name(name, status) : NULL;
-    if (!real)
-        return grown ? false : status_fail(status, "not enough memory for file names");
-    names->real[names->count++] = real;
-    return true;
-}
-
-static int compare_names(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
-/* There may be a million of them: two that are alike stand side by side once they are sorted. */
-static bool all_differ(Names *names, Status *status)
-{
-    if (names->count > 0)
-        qsort(names->real, names->count, sizeof *names->real, compare_names);
-    for (size_t i = 1; i < names->count; i++)
-        if (strcmp(names->real[i - 1], names->real[i]) == 0)
-            return status_refuse(status, "%s: two outputs cannot be the same file", names->real[i]);
-    return true;
-}
-
 static char *name_beside(const char *name)
 {
     char *out;
     return asprintf(&out, "%s.ini", name) < 0 ? NULL : out;
 }
 
-static bool take_table_names(Names *names, const char *name, Status *status)
+static bool take_table_names(OutputNames *names, const char *name, Status *status)
 {
     if (!name)
         return true;
-    if (!take_name(names, name, status))
+    if (!output_names_take(names, name, status))
         return false;
     if (output_is_direct(name))
         return true;
     char *beside = name_beside(name);
-    bool good =
-        beside ? take_name(names, beside, status) : status_fail(status, "not enough memory for file names");
+    bool good = beside ? output_names_take(names, beside, status)
+                       : status_fail(status, "not enough memory for file names");
     free(beside);
     return good;
 }
 
-static bool take_vtk_names(Names *names, const char *name, size_t frames, const Cancel *cancel,
+static bool take_vtk_names(OutputNames *names, const char *name, size_t frames, const Cancel *cancel,
                            Status *status)
 {
     if (!name)
@@ -108,7 +60,8 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, const 
     bool good = true;
     for (size_t i = 0; good && i < frames + (frames > 1); i++) {
         char *one = i < frames ? vtk_frame_name(name, i, frames) : vtk_collection_name(name);
-        good = one ? take_name(names, one, status) : status_fail(status, "not enough memory for file names");
+        good = one ? output_names_take(names, one, status)
+                   : status_fail(status, "not enough memory for file names");
         free(one);
         if (good && i % NAMES_A_QUESTION == 0 && cancel_requested(cancel, (double)i / (double)frames))
             good = status_fail(status, "the export was cancelled");
@@ -120,17 +73,13 @@ static bool take_vtk_names(Names *names, const char *name, size_t frames, const 
 bool export_check_names(const Export *export, Status *status)
 {
     const Outputs *outputs = export->outputs;
-    Names names = {.asker = outputs->asker, .force = outputs->force};
+    OutputNames names = {.asker = outputs->asker, .force = outputs->force};
     bool good = take_table_names(&names, outputs->series, status);
     for (int i = 0; good && i < TABLES; i++)
         good = take_table_names(&names, table_name(outputs, i), status);
-    good = good &&
-           take_vtk_names(&names, outputs->vtk, export->frames.count, &export->settings->cancel, status) &&
-           all_differ(&names, status);
-    for (size_t i = 0; i < names.count; i++)
-        free(names.real[i]);
-    free(names.real);
-    return good;
+    good =
+        good && take_vtk_names(&names, outputs->vtk, export->frames.count, &export->settings->cancel, status);
+    return output_names_differ(&names, good, status);
 }
 
 static bool find_set(Table *table, const Simulation *sim, const char *asked, int i, Status *status)

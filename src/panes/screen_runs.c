@@ -17,15 +17,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-const Experiment *screen_second_run(const Screen *screen)
-{
-    return screen->duel ? screen->duel->b : NULL;
-}
-
-bool screen_is_shared(const Screen *screen)
-{
-    return screen_second_run(screen) && screen->side == SIDE_BOTH;
-}
+/* What follows from the screen at once. */
+#define READ(Type, name, what)                                                                               \
+    Type name(const Screen *screen)                                                                          \
+    {                                                                                                        \
+        return what;                                                                                         \
+    }
+READ(const Experiment *, screen_second_run, screen->duel ? screen->duel->b : NULL)
+READ(bool, screen_is_shared, screen_second_run(screen) && screen->side == SIDE_BOTH)
+READ(const Experiment *, screen_clock_run, screen_second_run(screen) ? screen->duel->a : screen->experiment)
+READ(bool, screen_shows_exact, screen->views.references == SHOW_ALL || screen->views.references == SHOW_EXACT)
+READ(bool, screen_shows_predicted,
+     screen->views.references == SHOW_ALL || screen->views.references == SHOW_PREDICTED)
+READ(bool, screen_is_running, screen->playback->state == STATE_RUNNING)
+READ(bool, screen_is_rewound, experiment_newest(screen->experiment) > experiment_step(screen->experiment))
+READ(bool, screen_is_plain, screen->panes.lecture || screen->panes.sheet == SHEET_PLAIN)
+READ(const Problem *, screen_problem, screen_settings(screen)->problem)
 
 Screen screen_of_side(const Screen *screen, DuelSide side)
 {
@@ -35,39 +42,9 @@ Screen screen_of_side(const Screen *screen, DuelSide side)
     return one;
 }
 
-const Experiment *screen_clock_run(const Screen *screen)
-{
-    return screen_second_run(screen) ? screen->duel->a : screen->experiment;
-}
-
-bool screen_shows_exact(const Screen *screen)
-{
-    return screen->views.references == SHOW_ALL || screen->views.references == SHOW_EXACT;
-}
-
-bool screen_shows_predicted(const Screen *screen)
-{
-    return screen->views.references == SHOW_ALL || screen->views.references == SHOW_PREDICTED;
-}
-
 bool screen_is_focused(const Screen *screen, PaneId pane)
 {
     return screen->panes.focus == pane;
-}
-
-bool screen_is_running(const Screen *screen)
-{
-    return screen->playback->state == STATE_RUNNING;
-}
-
-bool screen_is_rewound(const Screen *screen)
-{
-    return experiment_newest(screen->experiment) > experiment_step(screen->experiment);
-}
-
-bool screen_is_plain(const Screen *screen)
-{
-    return screen->panes.lecture || screen->panes.sheet == SHEET_PLAIN;
 }
 
 bool screen_question(const Screen *screen, char *out, size_t size)
@@ -83,11 +60,6 @@ bool screen_question(const Screen *screen, char *out, size_t size)
     const bool fits = strlen(name) + strlen(value) < ROOM; /* on the smallest screen */
     snprintf(out, size, "%s %.60s", fits ? name : parameter->label, value);
     return true;
-}
-
-const Problem *screen_problem(const Screen *screen)
-{
-    return screen_settings(screen)->problem;
 }
 
 void screen_time_text(const Screen *screen, double time, char *out, size_t size)

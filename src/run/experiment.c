@@ -65,45 +65,32 @@ void experiment_set_history(Experiment *experiment, size_t history)
 
 /* --- what there is -------------------------------------------------------------------------------- */
 
-const Settings *experiment_settings(const Experiment *experiment)
-{
-    return &experiment->now;
-}
-
-const Settings *experiment_base(const Experiment *experiment)
-{
-    return &experiment->base;
-}
-
-const Simulation *experiment_simulation(const Experiment *experiment)
-{
-    return experiment->run.sim;
-}
-
-References *experiment_references(const Experiment *experiment)
-{
-    return experiment->refs;
-}
-
-const Record *experiment_record(const Experiment *experiment)
-{
-    return &experiment->record;
-}
+/* What is there as it is asked for. */
+#define READ(Type, name, what)                                                                               \
+    Type name(const Experiment *experiment)                                                                  \
+    {                                                                                                        \
+        return what;                                                                                         \
+    }
+READ(const Settings *, experiment_settings, &experiment->now)
+READ(const Settings *, experiment_base, &experiment->base)
+READ(const Simulation *, experiment_simulation, experiment->run.sim)
+READ(References *, experiment_references, experiment->refs)
+READ(const Record *, experiment_record, &experiment->record)
+READ(const Ghost *, experiment_ghosts, experiment->ghosts)
+READ(const char *, experiment_advice, experiment->advice)
+READ(double, experiment_time, simulation_time(experiment->run.sim))
+READ(long, experiment_step, experiment->run.sim->step)
+READ(int, experiment_stage, experiment->run.sim->stage)
+READ(long, experiment_newest, experiment->newest)
+READ(long, experiment_last_step, experiment->run.last)
+READ(bool, experiment_at_end,
+     experiment->run.sim->stage == 0 && experiment->run.sim->step >= experiment->run.last)
+READ(bool, experiment_is_flowing, experiment->flowing)
 
 const Column *experiment_columns(const Experiment *experiment, int *count)
 {
     *count = experiment->n_columns;
     return experiment->columns;
-}
-
-const Ghost *experiment_ghosts(const Experiment *experiment)
-{
-    return experiment->ghosts;
-}
-
-const char *experiment_advice(const Experiment *experiment)
-{
-    return experiment->advice;
 }
 
 const Event *experiment_events(const Experiment *experiment, int *count)
@@ -125,36 +112,6 @@ int experiment_derived(const Experiment *experiment, Derived out[DERIVED_MAX])
         experiment_derive(experiment, (Cancel){0}); /* a picture is not interrupted */
     memcpy(out, experiment->worked->derived, (size_t)experiment->worked->n_derived * sizeof *out);
     return experiment->worked->n_derived;
-}
-
-double experiment_time(const Experiment *experiment)
-{
-    return simulation_time(experiment->run.sim);
-}
-
-long experiment_step(const Experiment *experiment)
-{
-    return experiment->run.sim->step;
-}
-
-int experiment_stage(const Experiment *experiment)
-{
-    return experiment->run.sim->stage;
-}
-
-long experiment_newest(const Experiment *experiment)
-{
-    return experiment->newest;
-}
-
-long experiment_last_step(const Experiment *experiment)
-{
-    return experiment->run.last;
-}
-
-bool experiment_at_end(const Experiment *experiment)
-{
-    return experiment->run.sim->stage == 0 && experiment->run.sim->step >= experiment->run.last;
 }
 
 bool experiment_failed(const Experiment *experiment, Status *status)
@@ -253,11 +210,6 @@ void experiment_flow(Experiment *experiment)
 void experiment_rest(Experiment *experiment)
 {
     experiment->flowing = false;
-}
-
-bool experiment_is_flowing(const Experiment *experiment)
-{
-    return experiment->flowing;
 }
 
 /* A snapshot in a buffer that grows. False: not enough memory. */

@@ -214,7 +214,7 @@ expect "for Moodle" 0 points.lesson bo.session --moodle moodle.csv --output /dev
 result "its columns" test "$(head -n 1 moodle.csv)" = \
 	"ID number,Full name,Grade,Maximum grade,Feedback comments,To read,Sessions,Remark"
 refuse "it is not overwritten" "moodle.csv: exists (--force replaces it)" points.lesson bo.session --moodle moodle.csv
-refuse "nor both tables in one" "./m.csv: two outputs cannot be the same file" points.lesson bo.session --output m.csv --moodle ./m.csv
+refuse "nor both tables in one" "$(pwd -P)/m.csv: two outputs cannot be the same file" points.lesson bo.session --output m.csv --moodle ./m.csv
 refuse "what was the list's name is told" "--students: is --moodle FILE now, which writes; --roster FILE reads the list of the class" \
 	points.lesson bo.session --students moodle.csv
 # the list of the class, as Moodle exports it: who handed in nothing has a row
@@ -514,7 +514,7 @@ cp cut.session "$(printf 'x\033[31mred\nline')"
 expect "a name that acts" 1 own.lesson "$(printf 'x\033[31mred\nline')"
 result "is written out" says out 'x\\x1b\[31mred\\x0aline'
 result "and breaks no line" lines out 2
-refuse "table and pages in one file" "./m.pdf: two outputs cannot be the same file" own.lesson right.session --output m.pdf --sheet ./m.pdf
+refuse "table and pages in one file" "$(pwd -P)/m.pdf: two outputs cannot be the same file" own.lesson right.session --output m.pdf --sheet ./m.pdf
 refuse "over a session" "right.session: the output would overwrite an input" own.lesson right.session --output right.session --force
 
 # --- goals ---

@@ -10,7 +10,7 @@
 typedef struct Inspector {
     unsigned needs; /* what the simulation must have, all of it (HAS_...) */
     void (*describe)(const Screen *, Picture *);
-    /* The arrows: to the next thing, `page` at a time; y downwards. NULL: as in the mesh strip. */
+    /* The arrows: to the next thing, `page` at a time; y downwards. */
     void (*move)(Screen *, int x, int y, int page);
 } Inspector;
 

@@ -102,10 +102,9 @@ static void describe(const Screen *screen, Picture *picture)
 
 static void move_on(Screen *screen, int x, int y, int page)
 {
-    const size_t count = screen_simulation(screen)->counts[0];
-    const long to = (long)screen->chosen.particle + (x != 0 ? x : page > 1 ? y : 0) * (long)page;
-    screen->chosen.particle = to < 0 ? 0 : to < (long)count ? (size_t)to : count - 1;
     screen->chosen.is_node = false;
+    if (x != 0 || page > 1)
+        selection_next(&screen->chosen, screen_simulation(screen), x != 0 ? x : y, (size_t)page);
 }
 
 const Inspector inspector_bonds = {.needs = HAS_BONDS | HAS_LINE, .describe = describe, .move = move_on};

@@ -296,12 +296,8 @@ static void describe(const Screen *screen, Picture *picture)
 static void move_on(Screen *screen, int x, int y, int page)
 {
     const Subject subject = subject_of(screen);
-    const size_t count = subject.sim->counts[subject.set];
     if (x != 0 || page > 1) {
-        const long to = (long)subject.index + (x != 0 ? x : y) * (long)page;
-        *(subject.set ? &screen->chosen.node : &screen->chosen.particle) = to < 0             ? 0
-                                                                           : to < (long)count ? (size_t)to
-                                                                                              : count - 1;
+        selection_next(&screen->chosen, subject.sim, x != 0 ? x : y, (size_t)page);
         return;
     }
     /* nodes stand above particles: there is nothing further up or down */
@@ -360,10 +356,9 @@ void inspector_choose_across(Screen *screen, bool node)
 bool inspector_move(Screen *screen, int x, int y, int page)
 {
     const Inspector *inspector = inspector_find(screen);
-    if (!inspector || !inspector->move)
-        return false;
-    inspector->move(screen, x, y, page);
-    return true;
+    if (inspector)
+        inspector->move(screen, x, y, page);
+    return inspector != NULL;
 }
 
 static void describe_any(const Screen *screen, int variant, Picture *picture)
