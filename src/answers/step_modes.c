@@ -38,6 +38,7 @@ static const double grows = 1e-9;    /* |lambda| - 1 beyond round-off */
 /* An eigenvalue; of a pair both are there. */
 typedef struct Part {
     gsl_complex mu, of_v_cm; /* of_v_cm: its part of v_cm at t = 0 */
+    double angle, decay;     /* lambda = exp(i angle - decay) */
     double share;            /* of |x_0|^2, of a pair both together */
     double residual;
     int column; /* of W */
@@ -260,6 +261,10 @@ static bool look(Space *space, StepModes *modes, double sums[2][VECTORS_MOST])
         const gsl_vector_complex_view vector = gsl_matrix_complex_column(w, k);
         Part *part = &modes->parts[modes->count];
         part->mu = gsl_vector_complex_get(mu, k);
+        const double re = GSL_REAL(part->mu), im = GSL_IMAG(part->mu);
+        part->angle = math_atan2(im, 1 + re);
+        /* |lambda|^2 = 1 + 2 Re mu + |mu|^2, by log1p: |lambda| - 1 is often below 1e-9 */
+        part->decay = -math_log1p(2 * re + re * re + im * im) / 2;
         part->column = (int)k;
         const double size = gsl_complex_abs(part->mu);
         if (size < closed) /* of what stays */
@@ -396,13 +401,6 @@ void step_modes_free(StepModes *modes)
     free(modes);
 }
 
-/* |lambda|^2 = 1 + 2 Re mu + |mu|^2, by log1p: |lambda| - 1 is often below 1e-9. */
-static double decay_of(const StepModes *modes, const Part *part)
-{
-    const double re = GSL_REAL(part->mu), im = GSL_IMAG(part->mu);
-    return -math_log1p(2 * re + re * re + im * im) / (2 * modes->dt);
-}
-
 /* Beyond its limit a mode without damping has two real eigenvalues below 0, lambda and 1/lambda, and each has
  * its part in the start: the one that decays tells nothing of a run that the other takes over. */
 static bool partner_grows(const StepModes *modes, const Part *part)
@@ -424,8 +422,8 @@ StepMode step_modes_largest(const StepModes *modes)
     const Part *part = &modes->parts[modes->largest];
     return (StepMode){.known =
                           part->residual < converged && growth(part) < grows && !partner_grows(modes, part),
-                      .frequency = fabs(math_atan2(GSL_IMAG(part->mu), 1 + GSL_REAL(part->mu))) / modes->dt,
-                      .decay = decay_of(modes, part),
+                      .frequency = fabs(part->angle) / modes->dt,
+                      .decay = part->decay / modes->dt,
                       .overlap = modes->overlap};
 }
 
@@ -449,8 +447,8 @@ double step_modes_v_cm(const StepModes *modes, long step)
     double sum = modes->v_cm;
     for (int k = 0; k < modes->count && step > 0; k++) {
         const Part *part = &modes->parts[k];
-        const double angle = (double)step * math_atan2(GSL_IMAG(part->mu), 1 + GSL_REAL(part->mu)),
-                     kept = math_exp(-(double)step * modes->dt * decay_of(modes, part));
+        const double angle = (double)step * part->angle, lost = (double)step * part->decay;
+        const double kept = lost < 100 ? math_exp(-lost) : 0; /* e^-100 of a part is below every digit */
         sum += GSL_REAL(part->of_v_cm) * (kept * math_cos(angle) - 1) -
                GSL_IMAG(part->of_v_cm) * kept * math_sin(angle);
     }
