@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Of the test scripts: sourced first, it makes a scratch folder that goes at the end and enters it, and counts
+# Of the test scripts: sourced first, it makes a scratch folder that goes at the end and enters it, keeps there what
+# the program keeps between two visits, and counts
 # what is found out, as TAP. A script of one subcommand says which: subcommand=run
 number=0
 subcommand=
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
+XDG_STATE_HOME=$scratch/state
+export XDG_STATE_HOME
 
 # result NAME COMMAND...: it holds if the command does; if not, what was printed is told, by it and before
 result() {

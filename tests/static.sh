@@ -31,6 +31,7 @@ open() {
 	(soon says drawn 'v_cm' && printf q && soon says typescript 'COMMAND_EXIT_CODE\|Script done') |
 		TERM=$2 timeout 600 script -qfec "$3" typescript >drawn 2>&1
 	got=$?
+	tr -c '[:print:]\n' ' ' <drawn >out
 	result "$opened: left in peace" test "$got" -eq 0
 	result "$opened: the plot is there" says drawn 'v_cm'
 }

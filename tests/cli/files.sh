@@ -4,7 +4,6 @@
 # and never a file that is read, by whatever name, side files and numbered frames included.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
-export XDG_STATE_HOME="$scratch/state"
 printf 'leak:libfontconfig\nleak:libcairo\n' >"$scratch/.leaks"
 LSAN_OPTIONS="suppressions=$scratch/.leaks:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
 export LSAN_OPTIONS

@@ -5,7 +5,6 @@
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 subcommand=grade
-export XDG_STATE_HOME="$scratch/state"
 printf 'leak:libfontconfig\nleak:libcairo\n' >"$scratch/.leaks"
 LSAN_OPTIONS="suppressions=$scratch/.leaks:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
 export LSAN_OPTIONS

@@ -76,8 +76,6 @@ short() {
 	*) echo "$1 --script - </dev/null" ;;
 	esac
 }
-XDG_STATE_HOME=$scratch/state
-export XDG_STATE_HOME
 typed() { # FILE OF COMMANDS
 	mkdir "in-$1"
 	while read -r line; do

@@ -4,7 +4,6 @@
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 subcommand=movie
-export XDG_STATE_HOME="$scratch/state"
 
 pictures() { grep -c '^<g transform="translate(' "$1"; } # of an SVG
 events() { grep -c '^\[' "$1"; }                         # of a recording

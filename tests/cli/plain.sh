@@ -5,8 +5,6 @@
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 golden=$MATVIB_SRCDIR/tests/golden/plain
-XDG_STATE_HOME=$scratch/state
-export XDG_STATE_HOME
 
 # talk NAME ARGUMENTS...: a conversation that is kept; MATVIB_REGENERATE=1 keeps it anew
 talk() {

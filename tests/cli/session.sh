@@ -3,7 +3,6 @@
 # --record and --replay: the same bits again; --last; what is no session is refused.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
-export XDG_STATE_HOME="$scratch/state"
 
 refused() { # LINE ARGUMENTS...
 	wanted="matvib: $1"

@@ -322,11 +322,12 @@ void add_cases(Suite *suite)
     if (!suite_sanitized())
         tcase_add_test(reference, struck_between_two_cuts_cracks_turn_as_in_the_reference);
     tcase_add_test(tells, a_crack_stays_that_of_its_cut);
-    if (!suite_sanitized())
+    if (!suite_sanitized()) {
         tcase_add_test(tells, joining_is_no_speed);
+        tcase_add_test(tells, similar_bodies_crack_alike);
+    }
     tcase_add_test(tells, fronts_do_not_remember);
     tcase_add_test(tells, a_speed_needs_its_window);
-    tcase_add_test(tells, similar_bodies_crack_alike);
     tcase_add_loop_test(tells, the_first_branch_is_told, 0, 3);
     suite_add_tcase(suite, reference);
     suite_add_tcase(suite, tells);
