@@ -289,7 +289,7 @@ async function dropped_series() {
 
 // Under remote control a touch of Firefox lasts until its page has heard of the beginning: on a busy one it may be a long one, which selects.
 async function tap(x, y) {
-	for (let long = true; long;) {
+	for (let left = 20, long = true; long && left > 0; left--) {
 		await engine.tap(x, y);
 		long = engine === engines.Firefox && await page.evaluate(() => !element('selected').hidden && (element('selected').lastChild.click(), true));
 	}
