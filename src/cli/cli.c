@@ -84,14 +84,12 @@ const CliCommand *cli_find(const char *name)
 
 const char *cli_nearest(const char *word)
 {
-    enum { MOST = 120 };
-    const char *names[MOST + 1] = {NULL};
-    int count = 0;
-    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name && count < MOST; builtin++)
-        names[count++] = builtin->name;
-    for (const CliCommand *command = cli_commands; command->name && count < MOST; command++)
-        names[count++] = command->name;
-    return parameter_nearest_word(names, word);
+    Nearest nearest = nearest_begin(word);
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+        nearest_offer(&nearest, builtin->name);
+    for (const CliCommand *command = cli_commands; command->name; command++)
+        nearest_offer(&nearest, command->name);
+    return nearest.word;
 }
 
 static void print_command(const CliCommand *command)

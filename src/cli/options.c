@@ -341,16 +341,13 @@ static bool unknown(const char *command, const char *name, Status *status)
 {
     if (!options_stand(command, name, status))
         return false;
-    enum { MOST = 64 };
-    const char *known[MOST + 1] = {NULL};
-    int count = 0;
-    for (int i = 0; i < n_options && count < MOST; i++)
+    Nearest nearest = nearest_begin(name);
+    for (int i = 0; i < n_options; i++)
         if (takes(&options_table[i], command))
-            known[count++] = options_table[i].name;
-    const char *nearest = parameter_nearest_word(known, name);
+            nearest_offer(&nearest, options_table[i].name);
     bool open = strcmp(command, "open") == 0;
-    if (nearest)
-        return status_refuse(status, "%.60s: unknown option (did you mean %s?)", name, nearest);
+    if (nearest.word)
+        return status_refuse(status, "%.60s: unknown option (did you mean %s?)", name, nearest.word);
     return status_refuse(status, "%.60s: unknown option (see: matvib %s%s--help)", name, open ? "" : command,
                          open ? "" : " ");
 }

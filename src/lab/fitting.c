@@ -77,7 +77,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
 bool fitting_answer(Laboratory *lab, const char *words)
 {
     Settings settings = *experiment_base(laboratory_run(lab)), begun = settings;
-    FitTask task = {.settings = &begun, .threads = lab->options.threads > 0 ? lab->options.threads : 1};
+    FitTask task = {.settings = &begun, .threads = lab->options.threads};
     FitData data = {.times = NULL};
     Status status = {STATUS_DONE, ""};
     char list[sizeof lab->prompting.shown.text], keys[FIT_KEYS_MAX][KEY_MAX];
@@ -155,7 +155,7 @@ bool fitting_diagnose(Laboratory *lab, const char *words)
     Diagnosis *found = calloc(1, sizeof *found);
     Diagnosing waiting = {lab, found};
     const DiagnoseTask task = {.settings = &settings,
-                               .threads = lab->options.threads > 0 ? lab->options.threads : 1,
+                               .threads = lab->options.threads,
                                .pairs = take_pairs(path),
                                .cancel = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);

@@ -15,6 +15,8 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
                         .options = *options,
                         .overlay = {.y = -1},
                         .player = {.run_limit = -1, .playback = {.pace = 1}}};
+    lab->options.threads = options->threads > 0 ? options->threads : 1;
+    lab->options.history = options->history ? options->history : (size_t)256 << 20;
     lab->asker = options->replay || options->last ? ASKER_REPLAY : laboratory_user(lab);
     lab->carry_out = laboratory_command;
     lab->run_line = line_run;

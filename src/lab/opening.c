@@ -30,21 +30,11 @@ static void read_view(Laboratory *lab)
     screen_read_view(screen, view);
 }
 
-static size_t history_size(const Laboratory *lab)
-{
-    return lab->options.history ? lab->options.history : (size_t)256 << 20;
-}
-
-static int threads_of(const Laboratory *lab)
-{
-    return lab->options.threads > 0 ? lab->options.threads : 1;
-}
-
 void opening_begin(Laboratory *lab, Experiment *experiment)
 {
     Screen *screen = &lab->screen;
     Experiment *before = laboratory_run(lab);
-    duel_open(&lab->player.duel, experiment, history_size(lab), threads_of(lab));
+    duel_open(&lab->player.duel, experiment, lab->options.history, lab->options.threads);
     /* only now, when nothing shows it any more */
     experiment_destroy(before);
     screen->experiment = experiment;
@@ -117,7 +107,7 @@ void opening_show_progress(Laboratory *lab, Settings *settings)
 
 Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, Status *status)
 {
-    return experiment_create(settings, history_size(lab), threads_of(lab), status);
+    return experiment_create(settings, lab->options.history, lab->options.threads, status);
 }
 
 Asker laboratory_user(const Laboratory *lab)

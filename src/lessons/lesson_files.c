@@ -24,15 +24,13 @@ const BuiltinLesson *lesson_builtin(const char *name)
 
 static bool unknown(const char *name, Status *status)
 {
-    enum { MOST = 60 };
-    const char *names[MOST + 1] = {NULL};
-    int count = 0;
-    for (const BuiltinLesson *builtin = builtin_lessons; builtin->name && count < MOST; builtin++)
-        names[count++] = builtin->name;
-    const char *nearest = parameter_nearest_word(names, name);
-    if (!nearest)
-        return status_refuse(status, "%s: no such lesson or file (see: matvib lesson --list)", name);
-    return status_refuse(status, "%s: no such lesson or file (did you mean %s?)", name, nearest);
+    Nearest nearest = nearest_begin(name);
+    for (const BuiltinLesson *builtin = builtin_lessons; builtin->name; builtin++)
+        nearest_offer(&nearest, builtin->name);
+    return status_refuse(status,
+                         nearest.word ? "%s: no such lesson or file (did you mean %s?)"
+                                      : "%s: no such lesson or file (see: matvib lesson --list)",
+                         name, nearest.word);
 }
 
 /* --- the scenario files that it opens ---------------------------------------------------------------- */

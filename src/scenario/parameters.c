@@ -156,50 +156,40 @@ static size_t slip(const char *right, const char *wrong)
     return text_distance(right, wrong);
 }
 
-static void keep_nearest(const char *right, const char *wrong, const char **nearest, size_t *least)
+Nearest nearest_begin(const char *wrong)
 {
-    size_t distance = slip(right, wrong);
-    if (distance < *least)
-        *least = distance, *nearest = right;
+    const size_t length = strlen(wrong), share = length / 3;
+    return (Nearest){wrong, NULL, length < 4 ? (length + 1) / 2 : (share < 2 ? 2 : share) + 1};
 }
 
-static size_t too_far(const char *wrong)
+void nearest_offer(Nearest *nearest, const char *right)
 {
-    size_t length = strlen(wrong), share = length / 3;
-    return length < 4 ? (length + 1) / 2 : (share < 2 ? 2 : share) + 1;
-}
-
-const char *parameter_nearest_word(const char *const *words, const char *wrong)
-{
-    const char *nearest = NULL;
-    size_t least = too_far(wrong);
-    for (; *words; words++)
-        keep_nearest(*words, wrong, &nearest, &least);
-    return nearest;
+    const size_t distance = slip(right, nearest->wrong);
+    if (distance < nearest->too_far)
+        nearest->too_far = distance, nearest->word = right;
 }
 
 /* Who leaves the section away means the same. */
-static void keep_nearest_key(const char *right, const char *wrong, const char **nearest, size_t *least)
+static void offer_key(Nearest *nearest, const char *key)
 {
-    const char *dot = strchr(wrong, '.') ? NULL : strchr(right, '.');
-    const size_t before = *least;
-    keep_nearest(right, wrong, nearest, least);
+    const char *dot = strchr(nearest->wrong, '.') ? NULL : strchr(key, '.');
+    const size_t before = nearest->too_far;
+    nearest_offer(nearest, key);
     if (dot)
-        keep_nearest(dot + 1, wrong, nearest, least);
-    if (*least < before)
-        *nearest = right;
+        nearest_offer(nearest, dot + 1);
+    if (nearest->too_far < before)
+        nearest->word = key;
 }
 
 const char *parameter_nearest(const Problem *problem, const char *key)
 {
-    const char *nearest = NULL;
-    size_t least = too_far(key);
+    Nearest nearest = nearest_begin(key);
     for (int i = 0; i < n_parameters; i++)
         if (parameter_applies(&parameters[i], problem))
-            keep_nearest_key(parameters[i].key, key, &nearest, &least);
+            offer_key(&nearest, parameters[i].key);
     for (int i = 0; i < n_text_keys; i++)
-        keep_nearest(text_keys[i].key, key, &nearest, &least);
-    return nearest;
+        nearest_offer(&nearest, text_keys[i].key);
+    return nearest.word;
 }
 
 const char *parameter_unit(const Parameter *parameter, const Problem *problem)

@@ -143,8 +143,14 @@ const char *parameter_unit(const Parameter *, const Problem *);
 /* The line of help for this problem. */
 const char *parameter_help(const Parameter *, const Problem *);
 
-/* The nearest of some words (ended by NULL) to a wrong one; NULL: nothing is near. */
-const char *parameter_nearest_word(const char *const *words, const char *wrong);
+/* The nearest of the words that are offered to a wrong one; NULL: none is near. */
+typedef struct Nearest {
+    const char *wrong, *word;
+    size_t too_far;
+} Nearest;
+
+Nearest nearest_begin(const char *wrong);
+void nearest_offer(Nearest *, const char *right);
 
 /* Whether the problem has it, by any method. */
 bool parameter_applies(const Parameter *, const Problem *);

@@ -301,17 +301,15 @@ const BuiltinScenario *scenario_builtin(const char *name)
 
 static bool not_found(const char *name, Status *status)
 {
-    enum { MOST = 100 };
-    int error = errno, count = 0;
-    const char *names_of[MOST + 1] = {NULL};
-    for (; builtin_scenarios[count].name && count < MOST; count++)
-        names_of[count] = builtin_scenarios[count].name;
-    const char *nearest = parameter_nearest_word(names_of, name);
-    if (error != ENOENT)
+    Nearest nearest = nearest_begin(name);
+    if (errno != ENOENT)
         return false; /* the status says why */
-    if (nearest)
-        return status_refuse(status, "%s: no such scenario or file (did you mean %s?)", name, nearest);
-    return status_refuse(status, "%s: no such scenario or file (see: matvib list)", name);
+    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+        nearest_offer(&nearest, builtin->name);
+    return status_refuse(status,
+                         nearest.word ? "%s: no such scenario or file (did you mean %s?)"
+                                      : "%s: no such scenario or file (see: matvib list)",
+                         name, nearest.word);
 }
 
 /* NULL: as input_open() has it. */

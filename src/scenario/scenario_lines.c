@@ -111,19 +111,20 @@ static bool accept_section(Reader *reader, const char *line)
         return fail(reader, "a section's line must be its name in brackets", "such as [mesh]");
     char name[KEY_MAX];
     snprintf(name, sizeof name, "%.*s", (int)n, line + 1);
-    for (const char *const *known = scenario_sections; *known; known++)
+    Nearest nearest = nearest_begin(name);
+    for (const char *const *known = scenario_sections; *known; known++) {
         if (strcmp(*known, name) == 0) {
             strcpy(reader->section, name);
             reader->may_continue = false;
             return true;
         }
+        nearest_offer(&nearest, *known);
+    }
     char subject[KEY_MAX + 2], what[96];
     snprintf(subject, sizeof subject, "[%s]", name);
-    const char *nearest = parameter_nearest_word(scenario_sections, name);
-    if (nearest)
-        snprintf(what, sizeof what, "unknown section (did you mean [%s]?)", nearest);
-    else
-        snprintf(what, sizeof what, "unknown section (see: man 5 matvib)");
+    snprintf(what, sizeof what,
+             nearest.word ? "unknown section (did you mean [%s]?)" : "unknown section (see: man 5 matvib)",
+             nearest.word);
     return fail_about(reader, subject, what);
 }
 

@@ -131,8 +131,7 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
         outputs.stage = stages_of(lab, run);
         problem_end_at(settings, experiment_simulation(experiment)->dt, outputs.stages[0]);
     }
-    bool sound = export_run(settings, &outputs, lab->options.threads > 0 ? lab->options.threads : 1,
-                            show_progress, lab, summary, &status);
+    bool sound = export_run(settings, &outputs, lab->options.threads, show_progress, lab, summary, &status);
     free(settings);
     if (!sound && !summary->failed)
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);

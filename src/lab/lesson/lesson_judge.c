@@ -74,8 +74,8 @@ bool lesson_judge_run(Laboratory *lab, const Settings *of, RunSummary *summary, 
     Settings settings = *of;
     Waiting waiting = {lab, lab->host.now(lab->host.context)};
     settings.cancel = (Cancel){wait_for_run, &waiting};
-    return export_run(&settings, &(Outputs){0}, lab->options.threads > 0 ? lab->options.threads : 1,
-                      wait_for_run, &waiting, summary, status);
+    return export_run(&settings, &(Outputs){0}, lab->options.threads, wait_for_run, &waiting, summary,
+                      status);
 }
 
 bool lesson_judge_value(const Laboratory *lab, const Settings *settings, const RunSummary *summary,

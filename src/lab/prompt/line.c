@@ -350,14 +350,7 @@ static bool answer_line(Laboratory *lab, const char *text)
 /* An unknown first word, with the nearest one that there is; or a command with more behind it. */
 static bool refuse_word(Laboratory *lab, const char *line, const char *words)
 {
-    enum { MOST = COMMAND_COUNT + LINE_COUNT };
-    const char *known[MOST + 1] = {NULL}, *nearest;
     char word[64];
-    int count = 0;
-    for (int i = 0; i < n_line_verbs && count < MOST; i++)
-        known[count++] = line_verbs[i].name;
-    for (int i = 0; i < n_commands && count < MOST; i++)
-        known[count++] = commands[i].name;
     snprintf(word, sizeof word, "%.*s", (int)strcspn(line, " "), line);
     const FixedKey *fixed = fixed_key_find(laboratory_settings(lab), word);
     if (fixed) {
@@ -372,7 +365,12 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *words)
                              place ? "%s takes no argument; :%.20s goes to %s%.20s" : "%s takes no argument",
                              word, words, *words == '#' ? "step " : "t = ", words + (*words == '#'));
     }
-    nearest = parameter_nearest_word(known, word);
+    Nearest near = nearest_begin(word);
+    for (int i = 0; i < n_line_verbs; i++)
+        nearest_offer(&near, line_verbs[i].name);
+    for (int i = 0; i < n_commands; i++)
+        nearest_offer(&near, commands[i].name);
+    const char *nearest = near.word;
     return prompt_refuse(lab, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
                          word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
 }
