@@ -245,6 +245,8 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
         settings_edit_transfer(out)->mistake_beside = settings_edit_lattice(out)->mistake_beside =
             candidate->beside;
     }
+    if (candidate->parameter && candidate->kind == DIAGNOSE_MISTAKE) /* which leaves the step */
+        return settings_check(out, NULL);
     if (!candidate->own_step)
         return diagnose_hold_step(out, table->dt, NULL);
     *settings_edit_time(out) = *candidate->own_step;

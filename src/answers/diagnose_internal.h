@@ -29,7 +29,8 @@ typedef struct Walk {
     double off[DIAGNOSE_COLUMNS_MAX];   /* and the largest difference beyond the digits written */
     bool departs[DIAGNOSE_COLUMNS_MAX]; /* columns that depart anywhere (to_end) */
     Departure departure;                /* the first */
-    bool failed, stopped;               /* the run failed; somebody gave up, or there was no memory */
+    double jump;          /* its difference, over its column's size, where the step before agrees; else 0 */
+    bool failed, stopped; /* the run failed; somebody gave up, or there was no memory */
 } Walk;
 
 /* False: the walk was given up, or the run cannot be made; the status says why. */

@@ -456,14 +456,14 @@ static bool make_room(Trials *trials, const Simulation *sim)
     return sound && trials->row && trials->size && trials->most;
 }
 
-/* One reading beside one order of the stages. False: it was given up, or there is no memory. */
+/* One reading beside a code with its time step. False: it was given up, or there is no memory. */
 static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Settings *settings, bool plain)
 {
     DiagnoseTable *table = trials->search->table;
     const DiagnoseTable begun = *table;
     Settings asked = *settings;
     if (trials->count == TRIALS_MAX || diagnose_time_is_up(trials->search) ||
-        !diagnose_hold_step(&asked, reading->dt, NULL) || !diagnose_read_as(table, reading))
+        !diagnose_read_as(table, reading))
         return true;
     strcpy(settings_edit_output(&asked)->columns, "all");
     settings_edit_output(&asked)->follow[0] = '\0';
@@ -540,7 +540,7 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
             if (i >= 0)
                 settings_put(&settings, order, i);
             const int before = trials->count;
-            if (!try_reading(trials, &reading, &settings, plain))
+            if (diagnose_hold_step(&settings, dt, NULL) && !try_reading(trials, &reading, &settings, plain))
                 return false;
             *found = trials->count > before && trials->all[before].throughout &&
                      trials->all[before].off <= trials->fine;
@@ -574,10 +574,23 @@ typedef struct Round {
 static const Round rounds[] = {{false, 0, 3, 3}, {true, 0, 3, 1}, {false, 3, 4, 0}, {true, 3, 4, 0}};
 enum { ROUNDS = sizeof rounds / sizeof *rounds };
 
+/* Whether the columns have our names and begin as those of the right code: what is wrong later is no matter
+ * of reading, but for a time step that nothing tells. */
+static bool is_settled(const Trials *trials)
+{
+    const DiagnoseTable *table = trials->search->table;
+    bool settled = trials->count > 0 && trials->all[0].reading.shift == 0 && trials->all[0].firsts > 0;
+    for (int c = 0; c < table->n_columns; c++)
+        settled = settled && table->columns[c].own;
+    return settled;
+}
+
 static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
 {
     enum { FEW_CHOICES = 1, SOME_CHOICES = 2 };
-    const bool wrong = round->wrong;
+    DiagnoseTable *table = trials->search->table;
+    const double dt = table->dt;
+    const bool wrong = round->wrong, settled = is_settled(trials);
     const Settings *right = trials->search->task->settings;
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
@@ -589,13 +602,16 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
             const DiagnoseReading reading = reading_of(trials, times);
             DiagnoseScheme *schemes;
             Settings held = *right;
-            if (times->plain != (pass % 2 == 0) || !diagnose_hold_step(&held, times->dt, NULL))
+            if (times->plain != (pass % 2 == 0) || (settled && (times->plain || (wrong && pass > 2))) ||
+                !diagnose_hold_step(&held, times->dt, NULL))
                 continue;
-            const int count = diagnose_schemes(&held, trials->search->table,
+            table->dt = times->dt; /* that of the schemes */
+            const int count = diagnose_schemes(&held, table,
                                                pass < 2            ? FEW_CHOICES
                                                : wrong && pass > 2 ? SOME_CHOICES
                                                                    : ANY_CHOICES,
                                                &schemes);
+            table->dt = dt;
             for (int s = 0; s < count; s++)
                 for (int m = wrong;
                      m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass >= 2) &&
@@ -810,10 +826,14 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
             trials->nodes = way > 0;
             sound = try_all_times(trials, &found);
         }
-        for (int i = 0; i < ROUNDS * ways && sound && !found && trials->doubt == 0; i++) {
+        /* where they are settled, others are for times that nothing tells, when no code explains these; wrong
+         * codes with a part of the rows' time likewise */
+        const bool settled = is_settled(trials), useless = settled ? !begun.timed && !deep : deep && of_bar;
+        for (int i = 0; i < ROUNDS * ways && sound && !found && trials->doubt == 0 && !useless; i++) {
             const Round *round = &rounds[i / ways];
             trials->nodes = i % ways > 0;
-            if (of_bar || !round->wrong || (deep && (most_firsts(trials) == 0 || is_of_point(trials))))
+            if (of_bar ? !(settled && round->wrong) || deep
+                       : !round->wrong || (deep && (most_firsts(trials) == 0 || is_of_point(trials))))
                 sound = try_codes(trials, round, of_bar ? round->end : round->end_of_plane, &found);
         }
         for (int i = 0; i < trials->count; i++)

@@ -80,6 +80,8 @@ static void depart(Walker *walker, size_t row, int column, double theirs, double
                                       .ours = ours,
                                       .theirs_before = NAN,
                                       .ours_before = NAN};
+    if (walk->departing == 1 && walker->moment > 0 && moment->step == moment[-1].step + 1)
+        walk->jump = fabs(theirs - ours) / walker->size[table->columns[column].group];
     walker->done = !walk->to_end;
 }
 

@@ -222,7 +222,7 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
               (departs ? is_alike(search->table, walk) && walk->compared > shown &&
                              (!walk->failed || is_beyond_chance(search, candidate, walk))
                        : walk->compared >= search->walk.compared);
-    return *agrees || !departs || candidate->kind == DIAGNOSE_VALUE ||
+    return *agrees || !departs || candidate->kind == DIAGNOSE_VALUE || walk->jump > 1e-3 ||
            !is_beyond_chance(search, candidate, walk) || try_again(search, candidate, wrong, walk, agrees);
 }
 
@@ -486,6 +486,7 @@ static bool judge(Search *search, bool wrong)
     if (found->verdict != DIAGNOSE_UNKNOWN)
         return true;
     tell_walk(search);
+    settings_edit_time(&search->right)->unstable = true; /* that it is stable is known from the right run */
     if (!try_all(search, wrong))
         return false;
     const bool departs = walk->departure.is;
@@ -620,8 +621,7 @@ static bool judge_all(Search *search, DiagnoseReading *readings, int count)
     const DiagnoseTable as_read = *search->table;
     if (!judge_by_noise(search, readings, count))
         return false;
-    if (search->found->verdict != DIAGNOSE_UNKNOWN || diagnose_time_is_up(search) ||
-        !diagnose_is_of_plane(search->task->settings) || of_few_numbers(search))
+    if (search->found->verdict != DIAGNOSE_UNKNOWN || diagnose_time_is_up(search) || of_few_numbers(search))
         return true;
     const Diagnosis before = *search->found;
     const DiagnoseTable as_before = *search->table;

@@ -138,12 +138,13 @@ static bool allocate(Beam *beam, Status *status)
  * step above it is refused. (Paper P takes 1e-8 s, far below; periods do not depend on it.) */
 static bool set_time_step(Beam *beam, Status *status)
 {
-    double critical;
+    double critical = INFINITY;
     if (beam->lattice.line) { /* which runs beyond it, to where it bursts */
         beam->sim.dt = beam->def.dt;
         return bonds_line_critical_step(&beam->def, &beam->facts.critical_step, status);
     }
-    if (beam->def.mistake != 0) { /* a wrong code is run with the step of the right one */
+    if (beam->def.mistake != 0 &&
+        !beam->def.step_is_known) { /* a wrong code is run with the step of the right one */
         BeamDef right = beam->def;
         right.mistake = right.mistake_beside = 0;
         Simulation *sim = beam_create(&right, status);
@@ -151,7 +152,7 @@ static bool set_time_step(Beam *beam, Status *status)
             return false;
         critical = ((const Beam *)sim)->facts.critical_step;
         destroy(sim);
-    } else if (!beam_critical_step(beam, &critical, status))
+    } else if (!(beam->def.step_is_known && beam->def.dt > 0) && !beam_critical_step(beam, &critical, status))
         return false;
     beam->facts.critical_step = critical;
     beam->sim.dt = beam->def.dt > 0 ? beam->def.dt : critical / 2;

@@ -67,6 +67,7 @@ typedef struct BeamDef {
 
     int mistake;           /* what a wrong code does instead: an index of beam_mistake_words; 0: none */
     bool conceals_mistake; /* its stages are worded as the right ones */
+    bool step_is_known;    /* to be stable, or to be run all the same: of a given dt */
     int mistake_beside;    /* what it does besides, in another place; it stays to the end */
 
     double dt;   /* s; 0: half the critical time step, but not on a bar */
