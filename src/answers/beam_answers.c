@@ -209,19 +209,6 @@ static bool oscillates(const BeamAnswers *beam)
     return beam->body.damping * slowest / (4 * M_PI) < most;
 }
 
-/* An oscillation that decays: its period and what a period keeps, by one fit. */
-static void read_damped(const References *refs, const double *rows, size_t n_rows, int n_columns,
-                        Readout *out)
-{
-    const double expected = out->predicted_known ? out->predicted : out->real_size;
-    out->decay_exact = own(refs)->body.damping / 2;
-    out->kept_predicted = oscillation_kept(out->decay_exact, 2 * M_PI / out->exact);
-    readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
-                out);
-    if (isfinite(out->decay_measured))
-        out->kept_measured = oscillation_kept(out->decay_measured, 2 * M_PI / out->exact);
-}
-
 /* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
  * the beam as it lies on the lattice, a little thinner and shorter; predicted is the lattice's own. */
 void beam_read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,
@@ -240,12 +227,17 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
     out->predicted_known = isfinite(out->predicted);
     out->real_size = beam_damped_period(beam->timoshenko_real, damping);
     if (damping > 0) {
-        read_damped(refs, rows, n_rows, n_columns, out);
-        return;
+        out->decay_exact = own(refs)->body.damping / 2;
+        out->kept_predicted = oscillation_kept(out->decay_exact, 2 * M_PI / out->exact);
     }
     const double expected = out->predicted_known ? out->predicted : out->real_size;
     readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
                 out);
+    if (damping > 0) { /* one fit tells period and decay */
+        if (isfinite(out->decay_measured))
+            out->kept_measured = oscillation_kept(out->decay_measured, 2 * M_PI / out->exact);
+        return;
+    }
     const Zeros zeros = find_zeros(rows, n_rows, n_columns, plan_find(refs, "u_probe"), LONG_MAX);
     if (zeros.count > 1)
         out->by_zeros = 2 * (zeros.last - zeros.first) / (double)(zeros.count - 1);

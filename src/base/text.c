@@ -230,6 +230,12 @@ bool text_next_item(const char **list, char *out, size_t size)
     return next_of(list, ", ", out, size);
 }
 
+const char *text_last_word(const char *text)
+{
+    const char *space = strrchr(text, ' ');
+    return space ? space + 1 : text;
+}
+
 int text_place_in(const char *word, const char *const words[])
 {
     for (int i = 0; words[i]; i++)

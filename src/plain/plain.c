@@ -302,13 +302,10 @@ static void press(Plain *plain, const char *name)
 /* Presses the first character of a text, and returns what is behind it. */
 static const char *press_character(Plain *plain, const char *text)
 {
-    char name[8];
-    size_t length = 1;
-    while (((unsigned char)text[length] & 0xc0) == 0x80 && length < 4)
-        length++;
-    snprintf(name, sizeof name, "%.*s", (int)length, text);
-    press(plain, strcmp(name, " ") == 0 ? "Space" : name);
-    return text + length;
+    char name[KEY_NAME_MAX];
+    text = keys_of_text(text, name);
+    press(plain, name);
+    return text;
 }
 
 static void type(Plain *plain, const char *text)

@@ -401,6 +401,15 @@ const char *keys_pasted(const char *name)
     return name[0] == 'P' && name[1] == '-' && name[2] ? name + 2 : NULL;
 }
 
+const char *keys_of_text(const char *text, char name[KEY_NAME_MAX])
+{
+    int length = 1;
+    while (((unsigned char)text[length] & 0xc0) == 0x80 && length < 4)
+        length++;
+    snprintf(name, KEY_NAME_MAX, "%.*s", *text == ' ' ? 5 : length, *text == ' ' ? "Space" : text);
+    return text + length;
+}
+
 bool keys_known(const char *name)
 {
     static const char order[] = "SMC";

@@ -74,4 +74,7 @@ const char *keys_pasted(const char *name);
 /* Whether a name is one of those above; the mouse's apart. */
 bool keys_known(const char *name);
 
+/* The key that types the first character of a text; returns what is behind it. */
+const char *keys_of_text(const char *text, char name[KEY_NAME_MAX]);
+
 #endif

@@ -241,20 +241,13 @@ static Writing writing_of_row(const CellView *view)
     return writing_of(view->row.masses, view->row.count, 0, sum_of_row(view), CELL_TERM_WIDTH);
 }
 
-/* The last factor of an exchange: what the giver has. */
-static const char *last_word(const char *words)
-{
-    const char *space = strrchr(words, ' ');
-    return space ? space + 1 : words;
-}
-
 /* The velocity by which a node gives, of a bar; each once. */
 static void given_numbers(const CellView *view, size_t node, char *out, size_t size)
 {
     const CellTerms *terms = &view->terms;
     for (int f = 0; f < terms->n_flows && !terms->to_nodes && view->line; f++) {
-        const char *factor = last_word(terms->flows[f].exchange->factors);
-        bool told = f > 0 && strcmp(factor, last_word(terms->flows[0].exchange->factors)) == 0;
+        const char *factor = text_last_word(terms->flows[f].exchange->factors);
+        bool told = f > 0 && strcmp(factor, text_last_word(terms->flows[0].exchange->factors)) == 0;
         for (size_t i = 0; i < terms->n_links && !told; i++)
             if (terms->set ? node == terms->index : terms->links[i].index == node) {
                 text_append(out, size, "\n%s %s", factor, text_fitted(terms->flows[f].last[i], 5, 10).text);

@@ -116,20 +116,13 @@ static double percent(double ratio)
     return 100 * (ratio - 1);
 }
 
-/* A factor's letter where its name is "mesh K". */
-static const char *letter_of(const char *name)
-{
-    const char *space = strrchr(name, ' ');
-    return space ? space + 1 : name;
-}
-
 enum { NOTE_TEXT = 320 };
 
 /* "= mesh K (1-1.33 %) x filter F (1-2.96 %)": they multiply, so their errors do not quite add up. */
 static void append_factor(char line[NOTE_TEXT], const char *name, double value)
 {
     text_append(line, NOTE_TEXT, LONG_SHORT("%s %s (1%+.2f %%)", "%s (1%+.2f%%)%s"), line[0] ? " x" : "=",
-                name, percent(value), line[0] ? "" : "=", percent(value), letter_of(name));
+                name, percent(value), line[0] ? "" : "=", percent(value), text_last_word(name));
 }
 
 /* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
@@ -250,7 +243,7 @@ static void note_mode(const Screen *screen, Picture *picture, int n_ways)
         if (mode.factors[i].meaning) {
             text_append(text, 160, "%s%s: %s", text[0] ? "; " : "", mode.factors[i].name,
                         mode.factors[i].meaning);
-            snprintf(brief, 160, "%s: %s", letter_of(mode.factors[i].name), mode.factors[i].meaning);
+            snprintf(brief, 160, "%s: %s", text_last_word(mode.factors[i].name), mode.factors[i].meaning);
         }
     if (text[0])
         picture_note(picture, STYLE_FAINT, LONG_SHORT("%s", "%s"), text, brief)->spare = true;

@@ -158,18 +158,14 @@ static bool do_mouse(Script *script, const ScriptInstruction *row, char *rest, S
 
 static bool do_type(Script *script, const ScriptInstruction *row, char *rest, Status *status)
 {
+    char name[KEY_NAME_MAX];
+    bool sound = true;
     (void)row;
-    while (*rest) {
-        char name[8];
-        size_t length = 1;
-        while (((unsigned char)rest[length] & 0xc0) == 0x80 && length < 4)
-            length++;
-        snprintf(name, sizeof name, "%.*s", (int)length, rest);
-        if (!press(script, strcmp(name, " ") == 0 ? "Space" : name, LETTER_SECONDS, status))
-            return false;
-        rest += length;
+    for (const char *left = rest; *left && sound;) {
+        left = keys_of_text(left, name);
+        sound = press(script, name, LETTER_SECONDS, status);
     }
-    return true;
+    return sound;
 }
 
 /* In front of a class nobody can follow more than a few keys. */

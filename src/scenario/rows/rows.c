@@ -334,17 +334,16 @@ static bool find_value(const RowKind *kind, const char *key, const char *word, R
 
 bool settings_row_asked(const Settings *settings, const char *key, RowPlace *out, Status *status)
 {
-    char section[16], name[ROW_NAME_MAX] = "";
-    const char *rest = key + strcspn(key, ".");
-    snprintf(section, sizeof section, "%.*s", (int)(rest - key), key);
-    *out = (RowPlace){.kind = row_kind_find(section), .row = -1};
+    char name[ROW_NAME_MAX] = "";
+    const char *rest = key;
+    *out = (RowPlace){.kind = kind_of(&rest), .row = -1};
     ASSERT_INDEX(out->kind, ROW_KINDS); /* settings_row_is_key() */
     const RowKind *kind = &row_kinds[out->kind];
     if (kind->usual) {
         out->row = 0;
-        return find_value(kind, key, rest + 1, out, status);
+        return find_value(kind, key, rest, out, status);
     }
-    const size_t length = strcspn(++rest, ".");
+    const size_t length = strcspn(rest, ".");
     snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : (int)sizeof name - 1, rest);
     out->row = settings_row_find(settings, out->kind, name);
     if (out->row < 0 && !rest[length] && row_column(kind, name) >= 0) {
