@@ -257,18 +257,26 @@ static void write_of_problems(const Parameter *parameter, int concern)
         }
 }
 
-/* Where a problem has a line of help of its own. */
-static void write_other_help(const Parameter *parameter, int concern)
+/* What the problems of this part say of it, each text once: with the problem's name where another came first.
+ */
+static void write_help(const Parameter *parameter, int concern)
 {
+    const char *said[PROBLEMS_MAX];
+    int n = 0;
     for (int p = 0; problems[p]; p++) {
         const char *help = parameter_help(parameter, problems[p]);
-        if (!is_of(parameter, problems[p], concern) || help == parameter->help)
+        bool again = false;
+        for (int k = 0; k < n; k++)
+            again = again || strcmp(said[k], help) == 0;
+        if (again || !is_of(parameter, problems[p], concern))
             continue;
-        fputs("; of the ", stdout);
-        for (const char *c = problems[p]->word; *c; c++)
-            putchar(*c == '-' ? ' ' : *c);
-        fputs(": ", stdout);
-        say(help);
+        if (n > 0) {
+            fputs("; of the ", stdout);
+            for (const char *c = problems[p]->word; *c; c++)
+                putchar(*c == '-' ? ' ' : *c);
+            fputs(": ", stdout);
+        }
+        say(said[n++] = help);
     }
 }
 
@@ -291,8 +299,7 @@ static void write_parameter(const Parameter *parameter, int concern)
         putchar(']');
     }
     putchar('\n');
-    say(parameter->help);
-    write_other_help(parameter, concern);
+    write_help(parameter, concern);
     putchar('.');
     write_of_problems(parameter, concern);
     if (first->concerns & CONCERN_METHODS && parameter->methods != BY_EVERY_METHOD)
@@ -302,7 +309,10 @@ static void write_parameter(const Parameter *parameter, int concern)
     if (parameter->live)
         fputs(" May change in mid\\-run.", stdout);
     putchar('\n');
-    for (int i = 1; parameter->choice_help && i < parameter_choices(parameter, first); i++) {
+    if (parameter->wrong)
+        puts("Each is described in\n.BR matvib-equations (7).");
+    for (int i = 1; !parameter->wrong && parameter->choice_help && i < parameter_choices(parameter, first);
+         i++) {
         puts(".br");
         say_in("B", parameter->choices[i]);
         fputs(": ", stdout);

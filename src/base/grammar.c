@@ -125,7 +125,7 @@ static bool read_primary(Grammar *grammar, bool *truth)
     double value;
     *truth = false;
     if (grammar_take(grammar, "abs"))
-        return (grammar_take(grammar, "(") || grammar_refuse(grammar, "( behind abs")) &&
+        return (grammar_take(grammar, "(") || grammar_refuse(grammar, "( after abs")) &&
                read_number_at(grammar, LEVEL_SUM) &&
                (grammar_take(grammar, ")") || grammar_refuse(grammar, ")")) && apply(grammar, VERB_ABS, 0);
     if (grammar_take(grammar, "("))

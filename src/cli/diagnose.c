@@ -342,7 +342,7 @@ static const char julia[] =
     "    println(out, join((step, step * dt, v_cm, kinetic, strain), \",\"))\n"
     "end\n"
     "record(0)     # before the loop\n"
-    "record(step)  # at the end of step 1, 2, ...; close(out) behind the last\n";
+    "record(step)  # at the end of step 1, 2, ...; close(out) after the last\n";
 
 #define TEMPLATE(language) {#language, language},
 static const struct {

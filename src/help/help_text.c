@@ -103,7 +103,7 @@ static const HelpWord plate_words[] = {
     {"c_R", "the speed of the Rayleigh wave along an edge, dotted: the limit of a crack in tension."},
     {"deg",
      "from the cut: the angle between the cut and the straight line through its crack. Half angle: half "
-     "of that between two branches, over a quarter of the plate behind the place where the crack split."},
+     "of that between two branches, over a quarter of the plate after the place where the crack split."},
     {"surface",
      "made / length: the length of a straight cut with as many broken bonds, over the length of the "
      "cracks. 1 is a straight cut; above 1 bonds broke beside the crack too."},

@@ -64,7 +64,7 @@ static bool read_word(Grammar *grammar)
     char word[WORD_MAX];
     const bool was = grammar_take(grammar, "was");
     if (was && !grammar_is_letter(*grammar->at))
-        return grammar_refuse(grammar, "a parameter or a word of the mesh behind was");
+        return grammar_refuse(grammar, "a parameter or a word of the mesh after was");
     const size_t length = grammar_token(grammar, word, sizeof word);
     const RunNumber *number = run_number_find(word);
     const Parameter *key = parameter_find(word);

@@ -380,7 +380,7 @@ static bool read_word(Reader *reader, char *line)
             return status_refuse(reader->status, "@%s belongs before the first page", words[i].word);
         if ((words[i].wants == WANTS_TEXT) != (*text != '\0'))
             return status_refuse(reader->status, "@%s: %s", words[i].word,
-                                 *text ? "takes nothing" : "something is missing behind it");
+                                 *text ? "takes nothing" : "something is missing after it");
         return words[i].read(reader, text);
     }
     char known[240] = "";

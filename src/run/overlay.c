@@ -131,7 +131,7 @@ static int cut_cells(Reader *reader)
             from++;
             from += strspn(from, blanks);
             if (*from && *from != reader->separator) {
-                fail(reader, "there is text behind a quoted cell");
+                fail(reader, "there is text after a quoted cell");
                 return -1;
             }
         } else {

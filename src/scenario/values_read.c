@@ -91,7 +91,7 @@ static bool unknown(const Problem *problem, const char *key, Status *status)
     const int kind = row_kind_find(section);
     if (kind >= 0)
         return status_refuse(status, "%s: problem %s has no [%s] (%s)", key, problem->word, section,
-                             row_kinds[kind].concern & problem->concerns ? "a name behind a dot"
+                             row_kinds[kind].concern & problem->concerns ? "a name after a dot"
                              : row_kinds[kind].concern == CONCERN_PLATE  ? "a plate has"
                                                                          : "bodies have");
     const char *nearest = parameter_nearest(problem, key);

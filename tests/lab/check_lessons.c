@@ -97,7 +97,7 @@ static const struct {
     {"", "my.lesson: is no lesson (@title and a @page are wanted)"},
     {"@title x\n", "my.lesson: is no lesson (@title and a @page are wanted)"},
     {"text\n", "my.lesson:1: text belongs to a page (@page TITLE)"},
-    {"@title\n", "my.lesson:1: @title: something is missing behind it"},
+    {"@title\n", "my.lesson:1: @title: something is missing after it"},
     {"@do x\n", "my.lesson:1: @do belongs to a page (@page TITLE)"},
     {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
     {"@titel x\n",

@@ -265,7 +265,7 @@ static bool help_on(Laboratory *lab, const char *words)
         laboratory_tell(lab, "%s: %s", words, title);
     else
         return prompt_refuse(
-            lab, "help on what? (a command, a word behind :, a view, a parameter or a scenario; all)");
+            lab, "help on what? (a command, a word after :, a view, a parameter or a scenario; all)");
     return true;
 }
 

@@ -35,12 +35,12 @@ static const BodiesMistakeRow mistakes[BODIES_MISTAKES] = {
                             "σ ← Q σ Qᵀ + D Δt sym L      V ← »V«", ONLY_HYPOELASTIC},
     [BODIES_NORMAL_OF_ONE] = {"The normal of contact is that of one body alone.", OP_FIX,
                               "contact: n = n_a/|n_a|»  , not of n_a - n_b«", ONLY_CONTACT},
-    [BODIES_START_AFTER_CONTACT] = {"Particles take their change from p behind the first fix: "
-                                    "they never hear of its impulse.",
-                                    OP_FIX, "q0 = q »behind walls and contact«",
+    [BODIES_START_AFTER_CONTACT] = {"Particles take their change from p after the first fix: "
+                                    "they miss its impulse.",
+                                    OP_FIX, "q0 = q »after walls and contact«",
                                     ONLY_PLAIN_FLIP | ONLY_TOUCHING},
-    [BODIES_NO_FIRST_FIX] = {"Walls and contact act behind the force alone.", OP_FIX,
-                             "q ← »q«,   walls and contact »behind the force only«", ONLY_TOUCHING},
+    [BODIES_NO_FIRST_FIX] = {"Walls and contact act only after the force.", OP_FIX,
+                             "q ← »q«,   walls and contact »after the force only«", ONLY_TOUCHING},
 };
 
 const char *bodies_mistake_sentence(int mistake)
