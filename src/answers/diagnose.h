@@ -53,6 +53,7 @@ typedef struct DiagnoseTable {
     size_t *rows;                  /* of the file, in the order of the moments */
     size_t *things;                /* of each of them */
     double scenario_dt;
+    size_t particles; /* or nodes, of the scenario's run */
     double spacing,
         spacing_bound;   /* of its times as they are written, where they alone tell the step; else 0 */
     double time_factor;  /* they times it are ours */
@@ -137,7 +138,7 @@ typedef struct Diagnosis {
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */
     long tried;
-    bool pairs_left; /* no two mistakes at once were tried */
+    bool pairs_left; /* no two mistakes at once were tried, nor one in a scheme of four choices or more */
     bool time_up;    /* the time was up before all were tried */
 } Diagnosis;
 

@@ -248,7 +248,8 @@ typedef struct Trials {
 static bool is_given(const DiagnoseTable *table, int c)
 {
     const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
-    return column->least != 0 || column->largest != 0;
+    const double most = fmax(fabs(column->least), fabs(column->largest)); /* of what may be no number */
+    return most > 0 && !(isinf(column->least) && isinf(column->largest));
 }
 
 static void compare_sources(Trials *trials, const Simulation *sim, size_t moment)
@@ -516,6 +517,13 @@ static bool begins_later(const Trials *trials)
     return false;
 }
 
+/* Whether its rows are those of the scenario's own steps. */
+static bool has_own_steps(const DiagnoseTable *table)
+{
+    return fabs(table->spacing - table->scenario_dt) <=
+           table->spacing_bound + DIAGNOSE_SAME_STEP * table->spacing;
+}
+
 /* One reading of the times with each shift and each order of the stages; *found: one agrees throughout. */
 static bool try_times(Trials *trials, double factor, double dt, bool plain, bool *found)
 {
@@ -527,11 +535,10 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
     for (size_t s = 0; s < sizeof shifts / sizeof *shifts && !*found; s++) {
         const TrialTimes times = {factor, dt, shifts[s], plain};
         const DiagnoseReading reading = reading_of(trials, &times);
-        const bool told = fabs(table->spacing - table->scenario_dt) <= /* rows of the scenario's own steps */
-                          table->spacing_bound + DIAGNOSE_SAME_STEP * table->spacing;
         if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX &&
             (plain || ((times.shift == 0 || (times.shift == 1 && begins_later(trials))) &&
-                       factor == trials->times[0].factor && (!told || 10.5 * dt > table->spacing * factor))))
+                       factor == trials->times[0].factor &&
+                       (!has_own_steps(table) || 10.5 * dt > table->spacing * factor))))
             trials->times[trials->n_times++] = times;
         for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
             Settings settings = *right;
@@ -591,6 +598,7 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
     DiagnoseTable *table = trials->search->table;
     const double dt = table->dt;
     const bool wrong = round->wrong, settled = is_settled(trials);
+    const bool sparse = table->timed && !has_own_steps(table);
     const Settings *right = trials->search->task->settings;
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
@@ -602,7 +610,8 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
             const DiagnoseReading reading = reading_of(trials, times);
             DiagnoseScheme *schemes;
             Settings held = *right;
-            if (times->plain != (pass % 2 == 0) || (settled && (times->plain || (wrong && pass > 2))) ||
+            if (times->plain != (pass % 2 == 0) ||
+                (settled && (times->plain || (wrong && pass > 2 && !sparse))) ||
                 !diagnose_hold_step(&held, times->dt, NULL))
                 continue;
             table->dt = times->dt; /* that of the schemes */
@@ -809,7 +818,10 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         .dt = begun.dt, .time_factor = begun.time_factor, .last = INFINITY, .n_columns = begun.n_columns};
     out[0] = as_it_is;
     memcpy(out[0].columns, begun.columns, sizeof begun.columns);
-    if (begun.of_stages || begun.of_next)
+    bool given = false;
+    for (int c = 0; c < begun.n_columns; c++)
+        given = given || is_given(&begun, c);
+    if (begun.of_stages || begun.of_next || !given)
         return 1;
     Trials *trials = calloc(1, sizeof *trials);
     bool found = false;
@@ -828,7 +840,10 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         }
         /* where they are settled, others are for times that nothing tells, when no code explains these; wrong
          * codes with a part of the rows' time likewise */
-        const bool settled = is_settled(trials), useless = settled ? !begun.timed && !deep : deep && of_bar;
+        const bool settled = is_settled(trials),
+                   useless = settled ? !begun.timed && !deep
+                                     : begun.file.count * (size_t)begun.n_columns < OTHERS_ROWS_LEAST ||
+                                           (deep && of_bar);
         for (int i = 0; i < ROUNDS * ways && sound && !found && trials->doubt == 0 && !useless; i++) {
             const Round *round = &rounds[i / ways];
             trials->nodes = i % ways > 0;

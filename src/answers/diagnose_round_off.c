@@ -13,8 +13,8 @@
 /* Whether all numbers that are written with more digits than single precision has are numbers of it. */
 bool diagnose_is_single(const DiagnoseTable *table)
 {
-    enum { DIGITS = 8, LEAST = 10 };
-    size_t counted = 0;
+    enum { DIGITS = 8, LEAST = 10, ENTRIES = 5 }; /* any number is one in a case of ten for each digit more */
+    size_t counted = 0, entries = 0;
     for (int c = 0; c < table->n_columns; c++) {
         const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
         for (size_t k = 0; k < table->file.count && !table->columns[c].silent && column->digits >= DIGITS;
@@ -24,10 +24,11 @@ bool diagnose_is_single(const DiagnoseTable *table)
                 continue;
             if (fabs(value - (double)(float)value) > 0.51 * diagnose_last_digit(column, value))
                 return false;
-            counted++;
+            counted += (size_t)(column->digits + 1 - DIGITS);
+            entries++;
         }
     }
-    return counted >= LEAST;
+    return counted >= LEAST && entries >= ENTRIES;
 }
 
 int diagnose_digits_written(const DiagnoseTable *table)

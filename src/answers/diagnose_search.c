@@ -406,9 +406,13 @@ static bool try_other_steppings(Search *search)
 static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
 {
     const bool few = search->walk.departing < ENTRIES_LEAST;
-    const int most = of_few_numbers(search)                        ? 0
-                     : few && diagnose_is_of_plane(&search->right) ? 1
-                                                                   : schemes[count - 1].choices;
+    enum { CHOICES_OF_PLANE = 3 };
+    const bool plane = diagnose_is_of_plane(&search->right);
+    const int all = schemes[count - 1].choices,
+              most = of_few_numbers(search)                                    ? 0
+                     : few && plane                                            ? 1
+                     : plane && !search->task->pairs && all > CHOICES_OF_PLANE ? CHOICES_OF_PLANE
+                                                                               : all;
     bool sound = true;
     for (int choices = 0; choices <= most && sound && search->found->n_explanations == 0; choices++) {
         for (int s = 0; s < count && sound; s++) {
@@ -423,8 +427,7 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
     }
     sound = sound && try_other_steppings(search);
     /* two mistakes, where no one thing explains the file */
-    search->found->pairs_left = !few && search->found->n_explanations == 0 && !search->task->pairs &&
-                                diagnose_is_of_plane(&search->right);
+    search->found->pairs_left = !few && search->found->n_explanations == 0 && !search->task->pairs && plane;
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
                                                       settings_transfer(&search->given)->algorithm)) {
@@ -476,6 +479,33 @@ static void tell_walk(Search *search)
         name_departure(search);
 }
 
+/* Of codes that agree the nearest: a mistake whose numbers are orders nearer than those of the right code,
+ * which agrees but for what round-off may come to. */
+static bool take_nearest(Search *search)
+{
+    enum { ORDERS = 3 };
+    Diagnosis *found = search->found;
+    const bool departs = search->walk.departure.is, scheme = departs && found->n_explanations > 0;
+    const int right = scheme ? found->explanations[0].digits : found->digits;
+    int best = 0, kept = 0;
+    if (departs && (!scheme || found->explanations[0].kind != DIAGNOSE_SCHEME))
+        return false;
+    for (int i = 0; i < found->n_explanations; i++)
+        if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].digits > best)
+            best = found->explanations[i].digits;
+    if (best < right + ORDERS)
+        return false;
+    for (int i = 0; i < found->n_explanations; i++)
+        if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].digits == best)
+            found->explanations[kept++] = found->explanations[i];
+    found->n_explanations = kept;
+    search->of_first = scheme ? search->by_first : search->given;
+    free(search->grown);
+    search->grown = NULL;
+    search->table->noise = math_pow(10, -best); /* where the right one departs by more */
+    return true;
+}
+
 /* Beside right codes, or beside wrong ones, which are tried where no right one agrees. */
 static bool judge(Search *search, bool wrong)
 {
@@ -487,9 +517,10 @@ static bool judge(Search *search, bool wrong)
         return true;
     tell_walk(search);
     settings_edit_time(&search->right)->unstable = true; /* that it is stable is known from the right run */
-    if (!try_all(search, wrong))
+    const bool lost = search->walk.departure.moment == 0 && isinf(search->walk.departure.theirs);
+    if (!lost && !try_all(search, wrong)) /* no code has nan in its first row */
         return false;
-    const bool departs = walk->departure.is;
+    const bool nearer = take_nearest(search), departs = walk->departure.is || nearer;
     if (departs && found->n_explanations > 0 && found->explanations[0].kind != DIAGNOSE_SCHEME) {
         search->right = search->of_first; /* what is wrong is told beside the right code of its scheme */
         if (!walk_right(search))
@@ -642,11 +673,15 @@ static bool judge_all(Search *search, DiagnoseReading *readings, int count)
 
 bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, Status *status)
 {
+    enum { FEW = 20000 };
     Search *search = calloc(1, sizeof *search);
     *found = (Diagnosis){.agreed_step = -1, .verdict = DIAGNOSE_UNKNOWN, .rows = table->file.count};
     if (!search)
         return status_fail(status, "out of memory");
-    *search = (Search){.task = task,
+    DiagnoseTask alone = *task; /* a short run of few has no work for several threads */
+    if (table->particles < FEW)
+        alone.threads = 1;
+    *search = (Search){.task = &alone,
                        .table = table,
                        .found = found,
                        .until = task->seconds > 0 ? clock_seconds() + task->seconds : INFINITY,

@@ -882,6 +882,7 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
     table->stages_by_id = columns.stage_id >= 0;
     table->of_next = !table->of_stages && table->set >= 0 && sim->sets[table->set].ready_after > 0;
+    table->particles = sim->counts[0];
     table->noise_growth = 1e-2;
     table->noise = noise_of(sim);
     table->dt = table->scenario_dt = sim->dt;

@@ -219,7 +219,7 @@ static void tell_nothing_found(const Diagnosis *found, const DiagnoseTable *tabl
         "None of %ld other codes gives these numbers: no one mistake, scheme or value that is known here.\n",
         found->tried);
     if (found->pairs_left && !found->time_up)
-        fputs("Two mistakes at once were not tried (--pairs).\n", out);
+        fputs("Two mistakes at once, or one beside four other choices, were not tried (--pairs).\n", out);
     if (found->farthest < 1e-6)
         visible_print(out, "No number is farther off than %s of the largest of its kind.\n",
                       text_rounded(found->farthest, 1).text);
