@@ -208,6 +208,7 @@ result "have the same points" sh -c "test '$(points curves.tex | tr -d '()' | tr
 result "which are those of the run" sh -c "test \"$(points curves.gp | awk '{ printf "%.6g %.6g", $2, $3 }')\" = \
     \"$(awk -F, '!/^#/ && !/^t/ { t = $2; v = $3 } END { printf "%.6g %.6g", t, 1000 * v }' curve.csv)\""
 result "a legend" sh -c 'grep -q "^.addlegendentry{predicted}$" curves.tex && grep -q "title .predicted. with lines" curves.gp'
+result "the power of ten is a formula" grep -q '^ylabel={v._cm $.times 10^{-3}$}' curves.tex
 result "and braces in pairs" awk '{ n += gsub(/[{]/, "{") - gsub(/[}]/, "}") } END { exit n != 0 }' curves.tex
 expect "bands, two times and letters" 0 two-discs --end 0.5 --at 0.1,0.5 --view energies --output bands.gp
 expect "an axis by roots" 0 mode5 --end 30 --view dispersion --output roots.gp

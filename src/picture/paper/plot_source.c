@@ -77,13 +77,17 @@ static char letter_of(const PictureMark *mark)
 
 /* --- pgfplots ------------------------------------------------------------------------------------------ */
 
-/* Letters of other alphabets become words. */
+/* Letters of other alphabets become words, powers of ten formulas. */
 static void tex_words(FILE *out, const char *utf8)
 {
     char plain[2 * PICTURE_TEXT_MAX];
     text_to_ascii(utf8, plain, sizeof plain);
     for (const char *at = plain; *at; at++)
-        if (strchr("\\~^", *at))
+        if (strncmp(at, "x10^", 4) == 0 && (at == plain || at[-1] == ' ')) {
+            const int digits = (int)strspn(at + 4, "-0123456789");
+            fprintf(out, "$\\times 10^{%.*s}$", digits, at + 4);
+            at += 3 + digits;
+        } else if (strchr("\\~^", *at))
             fprintf(out, "\\text%s{}", *at == '\\' ? "backslash" : *at == '~' ? "asciitilde" : "asciicircum");
         else if (strchr("|<>", *at))
             fprintf(out, "\\text%s{}", *at == '|' ? "bar" : *at == '<' ? "less" : "greater");
