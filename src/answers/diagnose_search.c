@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the code that made a file's numbers (diagnose.h). */
 #include "answers/diagnose_internal.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_body.h"
@@ -516,7 +517,7 @@ static bool judge(Search *search, bool wrong)
     if (found->verdict != DIAGNOSE_UNKNOWN)
         return true;
     tell_walk(search);
-    settings_edit_time(&search->right)->unstable = true; /* that it is stable is known from the right run */
+    settings_edit_lattice(&search->right)->step_is_known = true;
     const bool lost = search->walk.departure.moment == 0 && isinf(search->walk.departure.theirs);
     if (!lost && !try_all(search, wrong)) /* no code has nan in its first row */
         return false;

@@ -233,10 +233,11 @@ void selection_next(Selection *selection, const Simulation *sim, int direction, 
     const size_t count = sim->counts[node ? 1 : 0];
     if (count == 0)
         return;
+    const size_t from = *chosen < count ? *chosen : count - 1; /* a finer mesh had it */
     if (direction < 0)
-        *chosen = *chosen > by ? *chosen - by : 0;
+        *chosen = from > by ? from - by : 0;
     else
-        *chosen = *chosen + by < count ? *chosen + by : count - 1;
+        *chosen = from + by < count ? from + by : count - 1;
 }
 
 size_t selection_middle(const Simulation *sim)

@@ -390,7 +390,7 @@ BeamDef beam_definition(const Settings *settings, int threads)
         .conceals_mistake = settings->concealed,
         .mistake_beside = settings_lattice(settings)->mistake_beside,
         .dt = settings_time(settings)->step,
-        .step_is_known = settings_time(settings)->unstable,
+        .step_is_known = settings_lattice(settings)->step_is_known,
         .end = settings_time(settings)->end,
         .threads = threads,
         .cancel = settings->cancel,

@@ -33,9 +33,8 @@ typedef struct Window {
 } Window;
 
 struct References {
-    const Solver *solver; /* NULL: none, the simulation came from elsewhere */
-    const char
-        *unaccounted[REFERENCES]; /* what each does not account for: references.h; NULL: it knows the run */
+    const Solver *solver;                /* NULL: none, the simulation came from elsewhere */
+    const char *unaccounted[REFERENCES]; /* what each does not account for; NULL: it knows the run */
     PlannedColumn plan[COLUMNS_MAX];
     int n_columns;
     double dt;

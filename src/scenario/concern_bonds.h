@@ -16,6 +16,7 @@ typedef struct Lattice {
     Influence influence;
     Stepping stepping;
     int mistake, mistake_beside; /* as of Transfer (concern_cells.h) */
+    bool step_is_known;          /* time.step has been run: of a code that is sought, no scenario has it */
 } Lattice;
 
 /* When a bond breaks. */

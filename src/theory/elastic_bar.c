@@ -97,7 +97,7 @@ static double crest(double from, double to)
 }
 
 /* Of a bar with a joint; `growth` of the phase: beta_n L of mode n >= 1. */
-static BarMode mode_that_grows(const BarTheory *bar, double growth)
+static BarMode mode_of_growth(const BarTheory *bar, double growth)
 {
     ASSERT_REAL(bar->joint, >, 0);
     ASSERT_REAL(bar->joint, <, bar->length);
@@ -241,7 +241,7 @@ double bar_wave_number(const BarTheory *bar, int number)
 
 static BarMode mode_of_two(const BarTheory *bar, int number)
 {
-    return mode_that_grows(bar, bar_wave_number(bar, number) * bar->length);
+    return mode_of_growth(bar, bar_wave_number(bar, number) * bar->length);
 }
 
 double bar_largest_wave_number(const BarTheory *bar, int number)

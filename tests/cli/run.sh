@@ -180,6 +180,9 @@ result "both steps are named" says err 'the time step 0.1 is above the critical 
 rm -f ./*.csv ./*.ini
 
 # --- beams ---
+"$MATVIB" show supported-beam-mpm-coarse --set time.unstable=yes >own.ini
+expect "the other method's leave for an unstable step" 2 own.ini --set scenario.method=pd --set time.step=1
+result "is none" says err 'time.step: 1 is above the critical time step (at most 1.077e-7, or auto)$'
 expect "a beam" 0 supported-beam-coarse --steps 20 --series s.csv --bonds b.csv --vtk v --frames 2 --quiet
 result "columns of a supported beam" header s.csv \
 	step,time,u_probe,v_probe,u_euler,v_euler,u_timoshenko,v_timoshenko,kinetic,strain,work,dissipated,total,broken_bonds

@@ -665,6 +665,20 @@ START_TEST(the_log_of_a_duel_tells_of_both)
 }
 END_TEST
 
+START_TEST(arrows_leave_a_node_that_a_coarser_mesh_lacks)
+{
+    Bench *bench = open_bench("mode5", true);
+    Screen *screen = &bench->lab.screen;
+    screen->chosen.is_node = true;
+    screen->chosen.node = experiment_simulation(screen->experiment)->counts[1] - 1;
+    ck_assert(line_run(&bench->lab, "mesh.cell_size=5"));
+    screen->panes.focus = _i ? PANE_INSPECTOR : PANE_MESH;
+    press(bench, "Left");
+    ck_assert_uint_eq(screen->chosen.node, experiment_simulation(screen->experiment)->counts[1] - 2);
+    close_bench(bench);
+}
+END_TEST
+
 START_TEST(a_click_into_the_strip_chooses)
 {
     Bench *bench = open_bench(_i ? "mode5-peridynamics" : "mode5", true);
@@ -1000,6 +1014,7 @@ void add_cases(Suite *suite)
     tcase_add_test(tcase, enter_in_the_log_goes_to_the_event);
     tcase_add_loop_test(tcase, an_event_of_the_log_is_chosen_by_the_mouse, 0, 8);
     tcase_add_test(tcase, the_log_of_a_duel_tells_of_both);
+    tcase_add_loop_test(tcase, arrows_leave_a_node_that_a_coarser_mesh_lacks, 0, 2);
     tcase_add_loop_test(tcase, a_click_into_the_strip_chooses, 0, 2);
     tcase_add_test(tcase, bookmarks_are_kept_in_the_order_of_the_run);
     tcase_add_test(tcase, quitting_asks_once_after_a_change);
