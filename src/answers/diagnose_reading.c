@@ -578,7 +578,7 @@ typedef struct Round {
     int end_of_plane; /* or, of a plane, whose runs take longer, that one */
 } Round;
 
-static const Round rounds[] = {{false, 0, 3, 3}, {true, 0, 3, 1}, {false, 3, 4, 0}, {true, 3, 4, 0}};
+static const Round rounds[] = {{false, 0, 3, 3}, {true, 0, 3, 2}, {false, 3, 4, 0}, {true, 3, 4, 0}};
 enum { ROUNDS = sizeof rounds / sizeof *rounds };
 
 /* Whether the columns have our names and begin as those of the right code: what is wrong later is no matter
@@ -598,8 +598,9 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
     DiagnoseTable *table = trials->search->table;
     const double dt = table->dt;
     const bool wrong = round->wrong, settled = is_settled(trials);
-    const bool sparse = table->timed && !has_own_steps(table);
     const Settings *right = trials->search->task->settings;
+    const bool of_plane = diagnose_is_of_plane(right);
+    const bool sparse = table->timed && !has_own_steps(table);
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
         wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
@@ -612,6 +613,8 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
             Settings held = *right;
             if (times->plain != (pass % 2 == 0) ||
                 (settled && (times->plain || (wrong && pass > 2 && !sparse))) ||
+                (wrong && pass == 1 && of_plane && 10.5 * times->dt < table->spacing * times->factor) ||
+                (wrong && pass > 1 && table->set >= 0 && strcmp(table->columns[0].name, "?") == 0) ||
                 !diagnose_hold_step(&held, times->dt, NULL))
                 continue;
             table->dt = times->dt; /* that of the schemes */
@@ -821,7 +824,7 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
     bool given = false;
     for (int c = 0; c < begun.n_columns; c++)
         given = given || is_given(&begun, c);
-    if (begun.of_stages || begun.of_next || !given)
+    if (begun.of_stages || begun.of_next)
         return 1;
     Trials *trials = calloc(1, sizeof *trials);
     bool found = false;
@@ -841,9 +844,8 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         /* where they are settled, others are for times that nothing tells, when no code explains these; wrong
          * codes with a part of the rows' time likewise */
         const bool settled = is_settled(trials),
-                   useless = settled ? !begun.timed && !deep
-                                     : begun.file.count * (size_t)begun.n_columns < OTHERS_ROWS_LEAST ||
-                                           (deep && of_bar);
+                   few = !given || begun.file.count * (size_t)begun.n_columns < OTHERS_ROWS_LEAST,
+                   useless = few || (settled ? !begun.timed && !deep : deep && of_bar);
         for (int i = 0; i < ROUNDS * ways && sound && !found && trials->doubt == 0 && !useless; i++) {
             const Round *round = &rounds[i / ways];
             trials->nodes = i % ways > 0;

@@ -362,12 +362,12 @@ static bool does_count(const OverlayColumn *column, size_t count, double by)
     return counts;
 }
 
-/* Whether a column without a name counts steps, or every second to tenth of them. It may hold whole
+/* Whether a column without a name counts steps, or every so manieth of them. It may hold whole
  * milliseconds or microseconds instead: a multiple of the scenario's step, or a part of it. */
 static bool counts_steps(const OverlayColumn *column, size_t count, double dt)
 {
     static const double units[] = {1e-3, 1e-6};
-    for (int by = 1; by <= 10; by++) {
+    for (int by = 1; by <= 25; by++) {
         bool counts = does_count(column, count, by);
         for (size_t i = 0; i < sizeof units / sizeof *units && by > 1; i++) {
             const double ratio = by * units[i] / dt, whole = fmax(ratio, 1 / ratio);
