@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run as the model of a fit: the series at the times of the data, by the run's own steps, changes in
- * mid-run and rest. */
+/* What a fit is made of: a run as its model (the series at the times of the data, by the run's own steps,
+ * changes in mid-run and rest), its data and parameters, and where it may begin. */
 #include "base/assertion.h"
 #include "answers/fit_internal.h"
 #include "scenario/concern_output.h"
