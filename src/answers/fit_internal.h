@@ -18,9 +18,10 @@ typedef struct Search {
     Status why; /* the last run could not be made */
 } Search;
 
-/* s(t; p) at the data into search->model. False: the settings are unsound, the run failed or was given up. */
-bool fit_run_at_data(Search *, const Settings *);
-double fit_chi2(const Search *); /* of the run that is made */
+/* s(t; p) at `count` times. False: the settings are unsound, the run failed or was given up. */
+bool fit_run(Search *, const Settings *, const double *times, double *values, size_t count);
+bool fit_run_at_data(Search *, const Settings *); /* into search->model */
+double fit_chi2(const Search *);                  /* of the run that is made */
 
 /* A value of one parameter at which the search may begin. */
 typedef struct Beginning {

@@ -74,8 +74,7 @@ static bool follow_to_end(Search *search, Run *run, Trace *to)
     return true;
 }
 
-static bool fit_run(Search *search, const Settings *settings, const double *times, double *values,
-                    size_t count)
+bool fit_run(Search *search, const Settings *settings, const double *times, double *values, size_t count)
 {
     ASSERT_INT(count, >=, 1);
     if (search->interrupted)
