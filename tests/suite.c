@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 const char *source_path(const char *relative)
 {
@@ -71,14 +72,26 @@ bool suite_sanitized(void)
 #endif
 }
 
+static bool forked;
+
+void suite_fork(void)
+{
+    forked = true;
+}
+
 int main(int count, char **arguments)
 {
-    setenv("CK_DEFAULT_TIMEOUT", "600",
-           0); /* seconds: finds what hangs, and on a busy machine nothing else */
+    /* seconds: finds what hangs, and on a busy machine nothing else */
+    setenv("CK_DEFAULT_TIMEOUT", "600", 0);
     const char *name = strrchr(arguments[0], '/');
     Suite *suite = suite_create(name ? name + 1 : arguments[0]);
     add_cases(suite);
     SRunner *runner = srunner_create(suite);
+    if (!forked && !suite_wide() && !getenv("CK_FORK")) {
+        enum { HOUR = 3600 };
+        srunner_set_fork_status(runner, CK_NOFORK);
+        alarm(HOUR); /* Check's time-outs are for processes of its own */
+    }
     /* one word on the command line: told for people, that case alone */
     if (count > 1)
         srunner_run(runner, NULL, strcmp(arguments[1], "all") ? arguments[1] : NULL, CK_VERBOSE);

@@ -13,6 +13,11 @@
 /* Each test program defines it: adds its cases to the suite. */
 void add_cases(Suite *suite);
 
+/* Called by add_cases() where a case ends the process or changes what the next one starts from: each case
+ * runs in a process of its own. Elsewhere all run in one, which halves the time; with MATVIB_WIDE, or by
+ * CK_FORK=yes, each in its own, which also tells the case that crashes. */
+void suite_fork(void);
+
 /* The path of a file of the source tree, e.g. source_path("tests/golden/mpm.txt"); valid until the next call.
  */
 const char *source_path(const char *relative);
@@ -21,7 +26,7 @@ const char *source_path(const char *relative);
  * MATVIB_REGENERATE in the environment: the file is written anew. `what` names it in the message. */
 void suite_compare(const char *relative, const char *text, const char *what);
 
-/* Whether every case is wanted (MATVIB_WIDE is set, as in .ci/run). Where it is not, a test that
+/* Whether every case is wanted (MATVIB_WIDE is set, as check-long does). Where it is not, a test that
  * crosses bodies, sizes and glyphs takes a part of the crossings, always the same and each of them once. */
 bool suite_wide(void);
 /* Or every repetition of them too: MATVIB_LONG, which check-long sets. */

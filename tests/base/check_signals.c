@@ -58,6 +58,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
+    suite_fork();
     TCase *tcase = tcase_create("signals");
     tcase_set_timeout(tcase, 120);
     tcase_add_loop_test(tcase, what_never_looks_is_ended_by_the_second, 0, 3);

@@ -121,6 +121,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
+    suite_fork();
     TCase *added = tcase_create("new command");
     tcase_add_test(added, every_command_has_a_key);
     tcase_add_test(added, its_key_carries_it_out);

@@ -200,6 +200,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
+    suite_fork();
     TCase *test = tcase_create("golden");
     tcase_add_test(test, all_cases_are_there);
     tcase_add_loop_test(test, golden_case, 0, CASES);

@@ -145,6 +145,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
+    suite_fork();
     TCase *follow = tcase_create("follow");
     tcase_add_loop_test(follow, what_is_no_number_stays_none, 0, 2);
     suite_add_tcase(suite, follow);

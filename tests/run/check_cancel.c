@@ -136,6 +136,7 @@ END_TEST
 
 void add_cases(Suite *suite)
 {
+    suite_fork();
     TCase *tcase = tcase_create("limits");
     tcase_add_test(tcase, no_value_makes_the_building_deaf);
     tcase_add_loop_test(tcase, every_part_of_a_building_asks, 0, sizeof large / sizeof *large);
