@@ -362,7 +362,7 @@ static bool does_count(const OverlayColumn *column, size_t count, double by)
     return counts;
 }
 
-/* Whether a column without a name counts steps, or every so manieth of them. It may hold whole
+/* Whether a column without a name counts steps, or every k-th of them. It may hold whole
  * milliseconds or microseconds instead: a multiple of the scenario's step, or a part of it. */
 static bool counts_steps(const OverlayColumn *column, size_t count, double dt)
 {
