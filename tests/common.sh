@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Of the test scripts: sourced first, it makes a scratch folder that goes at the end and enters it, keeps there what
-# the program keeps between two visits, and counts
-# what is found out, as TAP. A script of one subcommand says which: subcommand=run
+# Sourced first by each test script: makes a scratch folder, enters it, removes it at the end, has the program keep
+# its state there, and counts results as TAP. A script of one subcommand says which: subcommand=run
 number=0
 subcommand=
 scratch=$(mktemp -d) || exit 1

@@ -14,8 +14,8 @@
 void add_cases(Suite *suite);
 
 /* Called by add_cases() where a case ends the process or changes what the next one starts from: each case
- * runs in a process of its own. Elsewhere all run in one, which halves the time; with MATVIB_WIDE, or by
- * CK_FORK=yes, each in its own, which also tells the case that crashes. */
+ * runs in a process of its own. Elsewhere all run in one, which is faster by a third; with MATVIB_WIDE or
+ * CK_FORK=yes each has its own, and a crash names its case. */
 void suite_fork(void);
 
 /* The path of a file of the source tree, e.g. source_path("tests/golden/mpm.txt"); valid until the next call.
