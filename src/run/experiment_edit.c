@@ -317,16 +317,18 @@ bool experiment_invariant(const Experiment *experiment, double *now, double *sta
     if (sim->counts[0] > PAUSED_MAX)
         return false;
     const bool busy = experiment->flowing && sim->counts[0] > RUNNING_MAX;
+    /* for want of memory it is asked for again */
+    const int before = shortage_begin();
     if (!known->any) {
-        *known = (Invariant){.any = true, .step = -1};
         Start at_first = {&experiment->base, NAN};
         simulation_visit(sim, history_nearest(&experiment->history, 0)->bytes, look, &at_first);
-        known->start = at_first.energy;
+        *known = (Invariant){.any = errno != ENOMEM, .step = -1, .start = at_first.energy};
     }
     if (known->step != sim->step && sim->stage == 0 && sim->item == 0 && !busy && !sim->failed) {
         known->now = references_invariant(sim, &experiment->now);
-        known->step = sim->step;
+        known->step = errno != ENOMEM ? sim->step : -1;
     }
+    shortage_end(before);
     *now = known->now;
     *start = known->start;
     /* within a step: whether it was looked at before the step must not be seen */

@@ -161,13 +161,12 @@ static void drop(const Grid *grid)
     (void)!lseek(grid->memory, 0, SEEK_SET);
 }
 
-/* What curses now writes into its file is to be sent. That a write of its failed curses tells by errno alone.
- */
+/* What curses wrote and now writes into its file is to be sent. That a write of its failed curses tells by
+ * errno alone, which the caller clears before the first one. */
 static void take(Grid *grid)
 {
     char piece[4096];
     ssize_t got = 0;
-    errno = 0;
     refresh();
     int why = errno == ENOSPC || errno == ENOMEM || errno == EFBIG || errno == EIO ? errno : 0;
     off_t left = lseek(grid->memory, 0, SEEK_CUR);
@@ -299,6 +298,7 @@ void grid_close(Grid *grid)
 
 void grid_enter(Grid *grid)
 {
+    errno = 0;
     grid_redraw(grid);
     take(grid);
     put(grid, capability("smkx"), strlen(capability("smkx")));
@@ -392,6 +392,7 @@ void grid_show(Grid *grid, const Canvas *canvas)
             if (cell->glyph != CELL_FOLLOWS && (fresh || !same_cell(cell, &shown->cells[at])))
                 put_cell(grid, x, y, *cell);
         }
+    errno = 0; /* curs_set() writes too */
     const bool visible =
         canvas->cursor_x >= 0 && canvas->cursor_x < COLS && canvas->cursor_y >= 0 && canvas->cursor_y < LINES;
     leaveok(stdscr, !visible);
