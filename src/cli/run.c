@@ -92,13 +92,14 @@ static void print_summary(const Options *options, const Settings *settings, cons
     if (*advice)
         fprintf(to, "%s\n", advice);
     fprintf(to, "%swall time %.3g s\n", text, took);
-    /* What was written, of many frames for ParaView the file that names them. */
-    char *vtk = options->outputs.vtk && summary->frames > 0 ? summary->frames > 1
-                                                                  ? vtk_collection_name(options->outputs.vtk)
-                                                                  : vtk_frame_name(options->outputs.vtk, 0, 1)
-                                                            : NULL;
+    /* What was written, of many frames for ParaView the file that names them; without memory as it was asked
+     * for. */
+    const char *asked = summary->frames > 0 ? options->outputs.vtk : NULL;
+    char *vtk = !asked                ? NULL
+                : summary->frames > 1 ? vtk_collection_name(asked)
+                                      : vtk_frame_name(asked, 0, 1);
     const char *const names[] = {options->outputs.series, options->outputs.particles, options->outputs.nodes,
-                                 options->outputs.bonds, vtk};
+                                 options->outputs.bonds, vtk ? vtk : asked};
     int printed = 0;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (names[i] && strcmp(names[i], "-") != 0)
