@@ -122,7 +122,7 @@ function why_not(error) {
 function listen() {
 	term.onData(press);
 	term.onBinary((text) => send(Uint8Array.from(text, (letter) => letter.charCodeAt(0))));
-	term.onRender(() => { show_keys(); vectors.ask(); });
+	term.onRender(() => { show_keys(); vectors.draw(); });
 	term.onSelectionChange(() => vectors.ask());
 	term.parser.registerOscHandler(7770, (text) => vectors.take(text));
 	element('lines').addEventListener('click', () => vectors.turn(!vectors.on));

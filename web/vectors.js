@@ -30,14 +30,15 @@ const vectors = {
 			else area.strokes.push({kind: head[0], style: numbers[0], line: numbers[1], rank: numbers[2], points: points.map((point) => (point === '-' ? null : point.split(',').map((value) => value / 16)))});
 		}
 		for (const area of this.areas) area.strokes.sort((a, b) => a.rank - b.rank);
-		this.ask();
+		queueMicrotask(() => this.ask()); // the terminal, which is still parsing, asks for its frame before
 		follow(told);
 		return true;
 	},
+	// at the next frame, where the terminal does not render in it and draws these lines with its cells
 	ask() {
 		if (this.asked) return;
 		this.asked = true;
-		requestAnimationFrame(() => { this.asked = false; this.draw(); });
+		requestAnimationFrame(() => this.asked && this.draw());
 	},
 	turn(on, chosen = true) { // what a person has chosen stays
 		Object.assign(this, {on, chosen, costs: []});
@@ -52,6 +53,7 @@ const vectors = {
 		return 'rgb(' + [36, 6, 1].map((part) => { const step = Math.floor((number - 16) / part) % 6; return step && 55 + 40 * step; }) + ')';
 	},
 	draw() {
+		this.asked = false;
 		const screen = term.element && term.element.querySelector('.xterm-screen');
 		if (!screen || this.colours.length === 0) return; // nothing has been told yet
 		if (!this.canvas) {
@@ -60,8 +62,8 @@ const vectors = {
 			this.canvas.setAttribute('aria-hidden', 'true');
 			screen.append(this.canvas);
 		}
+		const width = screen.clientWidth, height = screen.clientHeight; // lays out what was rendered
 		const begin = performance.now(), canvas = this.canvas, fine = devicePixelRatio || 1, pen = canvas.getContext('2d');
-		const width = screen.clientWidth, height = screen.clientHeight;
 		if (canvas.width !== Math.round(width * fine) || canvas.height !== Math.round(height * fine)) {
 			canvas.width = Math.round(width * fine);
 			canvas.height = Math.round(height * fine);

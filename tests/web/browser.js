@@ -804,6 +804,17 @@ async function lines() {
 		await becomes('F9 shows the cells', drawn, (count) => count === 0);
 		await page.keyboard.press('F9');
 		await becomes('and the lines again', drawn, (count) => count > 2000);
+		await page.evaluate(() => {
+			const draw = vectors.draw;
+			window.drawings = {lines: 0, cells: 0};
+			vectors.draw = function() { drawings.lines++; draw.call(this); };
+			term.onRender(() => drawings.cells++);
+		});
+		await page.keyboard.press('f');
+		await sooner(() => page.evaluate(() => drawings.cells), Boolean);
+		await pause(200); // for a second drawing
+		const {lines, cells} = await page.evaluate(() => drawings);
+		result('a picture is drawn once, with its cells', lines > 0 && lines <= cells, `${lines} drawings of ${cells} pictures`);
 	}
 	const costs = (said, dear) => page.evaluate((said, dear) => {
 		notice(said);
