@@ -112,10 +112,13 @@ class Bar:
             self.free[-1 - ends:] = False
 
     # --- the stages --------------------------------------------------------------------------------------------
+    @property
+    def active(self):
+        return self.mass > 1e-12 * self.rho0 * self.dx
+
     def map(self):
         self.shapes()
         self.mass = self.N.T @ self.m
-        self.active = self.mass > 1e-12 * self.rho0 * self.dx
         self.map_momentum()
 
     def map_momentum(self):

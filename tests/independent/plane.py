@@ -95,10 +95,13 @@ class Beam:
         return left & middle, (left | right) & (middle | (self.ends == "section"))
 
     # --- the stages --------------------------------------------------------------------------------------------
+    @property
+    def active(self):
+        return self.mass > 1e-12 * self.rho0 * self.dx ** 2
+
     def map(self):
         self.shapes()
         self.mass = self.N.sum(0) * self.m
-        self.active = self.mass > 1e-12 * self.rho0 * self.dx ** 2
         self.map_again()
 
     def map_again(self):
