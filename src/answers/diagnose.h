@@ -28,7 +28,8 @@ typedef struct DiagnoseColumn {
     double factor;               /* theirs times it is in our units */
     double scale;                /* that of the reading alone: a sign, a unit, a mass */
     double natural;              /* the largest number of this unit at t = 0, in our units */
-    bool silent;                 /* it is empty, zero, or copied: it tells nothing */
+    double terms; /* theirs are differences of numbers of single precision so large; 0: they are not */
+    bool silent;  /* it is empty, zero, or copied: it tells nothing */
 } DiagnoseColumn;
 
 /* The rows of one step, or of one stage of it. */
@@ -108,8 +109,9 @@ typedef struct Explanation {
     char set[2 * KEY_MAX]; /* "mesh.cell_size=0.5", with which that is; "": no other setting is needed */
     int compared;          /* that were made of both */
     int digits;
-    size_t rows; /* over which it agrees */
-    bool grown;  /* no farther, since round-off grows in such a run */
+    double beyond; /* the largest difference beyond the digits written, as a share of its column's size */
+    size_t rows;   /* over which it agrees */
+    bool grown;    /* no farther, since round-off grows in such a run */
 } Explanation;
 
 typedef enum DiagnoseVerdict {

@@ -25,6 +25,8 @@ typedef struct Walk {
     size_t departing;                   /* entries that depart (to_end) */
     double worst;                       /* largest difference of those that agree, over their column's size */
     double farthest;                    /* likewise of all (to_end) */
+    double beyond;                      /* of those that agree the largest beyond the digits written, */
+    size_t off_digits;                  /* and how many are */
     double most[DIAGNOSE_COLUMNS_MAX];  /* of each column the largest number, */
     double off[DIAGNOSE_COLUMNS_MAX];   /* and the largest difference beyond the digits written */
     bool departs[DIAGNOSE_COLUMNS_MAX]; /* columns that depart anywhere (to_end) */
@@ -127,6 +129,7 @@ typedef struct Search {
     double *values;    /* of the right run */
     double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
+    size_t own;        /* entries in which the right code agrees of the scheme whose mistakes are tried */
     Settings by_first; /* of the first code that explains it all; without one the right ones */
     double until;      /* of the clock: DiagnoseTask.seconds */
     Settings of_first; /* the right code of its scheme */
@@ -171,8 +174,14 @@ bool diagnose_judge_columns(Search *);
 bool diagnose_is_still(const Search *, int column);
 
 /* diagnose_round_off.c: whether all numbers that are written with more digits than single precision has are
- * numbers of it; and the most digits of any column. */
+ * numbers of it. */
 bool diagnose_is_single(const DiagnoseTable *);
+
+/* How large numbers of single precision are whose differences a column holds, as x - x0: whole multiples of a
+ * power of two that is far above their own last digits. 0: it holds no such. */
+double diagnose_terms(const Overlay *, int column);
+
+/* The most digits of any column. */
 int diagnose_digits_written(const DiagnoseTable *);
 
 /* What the round-off of a run has grown to, [moment][group of columns], by a run whose

@@ -216,7 +216,8 @@ typedef struct Trial {
     DiagnoseReading reading;
     bool plain;      /* it is kept where none agrees */
     bool denied;     /* its row of step 0 is not the start */
-    int firsts;      /* columns that agree in the first row */
+    int firsts;      /* columns that agree in the first row that is not 0 */
+    int begun;       /* columns that agree in the first row */
     size_t agreed;   /* rows, the sum of all columns */
     bool throughout; /* all of them to the end */
     double off;      /* by so much at most, as a share of a column's size */
@@ -275,7 +276,7 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
                 const double factor = source->factor * table->columns[c].factor;
                 const double theirs = written * factor;
                 const double beyond = fmax(0, fabs(theirs - ours) - digit * fabs(factor));
-                const double scale = fmax(size, fabs(theirs));
+                const double scale = fmax(fmax(size, fabs(theirs)), table->columns[c].terms * fabs(factor));
                 source->over = !(beyond <= TOLERANCE * scale);
                 source->off = scale > 0 ? fmax(source->off, beyond / scale) : source->off;
                 source->agreed += !source->over;
@@ -400,6 +401,7 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
         trial->denied = trial->denied || (table->moments[0].step == 0 && best->agreed == 0);
         trial->agreed += best->agreed;
         trial->firsts += best->first;
+        trial->begun += best->agreed > 0;
         if (best->agreed == 0)
             continue;
         column->scale = best->factor;
@@ -409,7 +411,8 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
         snprintf(column->name, sizeof column->name, "%s", quantity->name);
         snprintf(column->unit, sizeof column->unit, "%s", quantity->unit);
         snprintf(column->meaning, sizeof column->meaning, "%s", quantity->label);
-        column->natural = trials->size[best->series >= 0 ? sim->n_fields + best->series : best->field];
+        column->natural = fmax(trials->size[best->series >= 0 ? sim->n_fields + best->series : best->field],
+                               column->terms * fabs(column->factor));
         if (table->set < 0 && best->field >= 0) {
             const char *thing = sim->sets[sim->fields[best->field].set].name;
             snprintf(column->point, sizeof column->point, "%s %zu %s", thing, best->thing, quantity->name);
@@ -756,6 +759,14 @@ static int most_firsts(const Trials *trials)
     return most;
 }
 
+/* A start that agrees tells more than many rows of a column that hardly changes. */
+static bool is_likelier(const Trial *one, const Trial *other)
+{
+    return one->denied != other->denied ? !one->denied
+           : one->begun != other->begun ? one->begun > other->begun
+                                        : one->agreed > other->agreed;
+}
+
 /* The best comes first. */
 static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
 {
@@ -771,10 +782,10 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
     while (count < READINGS_MAX) {
         int best = -1;
         for (int i = 0; i < trials->count; i++)
-            if (!taken[i] && trials->all[i].plain && trials->all[i].firsts == most &&
-                (best < 0 || trials->all[i].denied < trials->all[best].denied ||
-                 (trials->all[i].denied == trials->all[best].denied &&
-                  trials->all[i].agreed > trials->all[best].agreed)))
+            if (!taken[i] && trials->all[i].plain &&
+                (trials->all[i].firsts == most ||
+                 (most > 0 && trials->all[i].begun == trials->search->table->n_columns)) &&
+                (best < 0 || is_likelier(&trials->all[i], &trials->all[best])))
                 best = i;
         /* a sum that is kept agrees in rows of any step */
         for (int i = 0; i < trials->count && best < 0 && denied; i++)

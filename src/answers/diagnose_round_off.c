@@ -31,6 +31,29 @@ bool diagnose_is_single(const DiagnoseTable *table)
     return counted >= LEAST && entries >= ENTRIES;
 }
 
+double diagnose_terms(const Overlay *file, int column)
+{
+    enum { ENTRIES = 5, FINER = 16 }; /* any number is a multiple in a case of 16 or fewer */
+    const OverlayColumn *one = &file->columns[column];
+    const double most = fmax(fabs(one->least), fabs(one->largest));
+    size_t entries = 0;
+    if (!isfinite(most) || most == 0)
+        return 0;
+    double unit = ldexp(1, ilogb(most));
+    for (size_t k = 0; k < file->count; k++) {
+        const double value = one->values[k], digit = isfinite(value) ? diagnose_last_digit(one, value) : 0;
+        if (!isfinite(value) || value == 0)
+            continue;
+        while (unit > FINER * digit && fabs(value - round(value / unit) * unit) > 0.51 * digit)
+            unit /= 2;
+        if (unit <= FINER * digit)
+            return 0;
+        entries++;
+    }
+    const double terms = 2 * unit / FLT_EPSILON;
+    return entries >= ENTRIES && terms > 8 * most ? terms : 0;
+}
+
 int diagnose_digits_written(const DiagnoseTable *table)
 {
     int most = 0;

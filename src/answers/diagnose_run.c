@@ -117,6 +117,10 @@ static void compare(Walker *walker, size_t row, int c, double ours)
         walk->entries++;
         if (*size > 0)
             walk->worst = fmax(walk->worst, difference / *size);
+        if (difference > 0.51 * digit * fabs(column->factor) && *size > 0) {
+            walk->beyond = fmax(walk->beyond, (difference - 0.5 * digit * fabs(column->factor)) / *size);
+            walk->off_digits++;
+        }
     }
 }
 

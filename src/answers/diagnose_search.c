@@ -127,6 +127,15 @@ static void name_departure(Search *search)
 
 /* --- other codes ---------------------------------------------------------------------------------------- */
 
+/* Fewer can be had with any value, or with two mistakes of some. */
+enum { ENTRIES_LEAST = 3 };
+
+/* A last digit or two may be rounded the other way. */
+static double beyond_of(const Walk *walk)
+{
+    return walk->off_digits < ENTRIES_LEAST ? 0 : walk->beyond;
+}
+
 /* A code that agrees takes its place among those found. */
 static void keep(Search *search, const Candidate *candidate, const Settings *wrong, const Walk *walk)
 {
@@ -142,6 +151,7 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         if (strcmp(found->explanations[i].id, explanation->id) == 0) /* by another scheme */
             return;
     explanation->digits = digits_of(search, walk->worst);
+    explanation->beyond = beyond_of(walk);
     for (size_t m = 0; m < walk->compared; m++)
         explanation->rows += search->table->moments[m].count;
     explanation->grown = walk->failed || walk->moments < search->table->n_moments;
@@ -156,15 +166,17 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
 }
 
 /* Whether a run that fails, or in which round-off grows, explains more than chance does of where the right
- * one departs: by the digits of all these entries, but for those that a value was fitted to. The first row
- * may be the start, which many codes share; a right code does not end where the file goes on. */
+ * ones depart, the scenario's and that of its own scheme: by the digits of all these entries, but for those
+ * that a value was fitted to. Many codes share the start; a right code does not end where the file goes on.
+ */
 static bool is_beyond_chance(const Search *search, const Candidate *candidate, const Walk *walk)
 {
     enum { DIGITS = 11 }; /* some 1e5 codes are tried */
     const DiagnoseTable *table = search->table;
     const int digits = diagnose_digits_written(table); /* 0: there is no number */
-    const size_t start = table->moments[0].count * (size_t)table->n_columns,
-                 before = search->walk.entries > start ? search->walk.entries : start,
+    const size_t start = table->moments[0].step > 0 ? 0 : table->moments[0].count * (size_t)table->n_columns,
+                 right = search->walk.entries > search->own ? search->walk.entries : search->own,
+                 before = right > start ? right : start,
                  least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1);
     return (candidate->kind != DIAGNOSE_SCHEME || 2 * walk->compared >= table->n_moments) &&
            walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
@@ -249,9 +261,6 @@ static bool is_round(double factor, const Settings *right)
 /* Beyond it a value stands for something else, as no stiffness for no force. */
 #define LEAST_FACTOR 1e-4
 
-/* Fewer can be had with any value, or with two mistakes of some. */
-enum { ENTRIES_LEAST = 3 };
-
 /* Whether a code with that value makes a time step that the file's times may mean. */
 static bool may_be_its_step(const Search *search, const Settings *wrong)
 {
@@ -330,6 +339,9 @@ static bool try_listed(Search *search, Listed what)
                       : what == PAIRS_OF_MISTAKES
                           ? diagnose_pairs(&search->right, candidates)
                           : diagnose_candidates(&search->right, what == MISTAKES_AND_VALUES, candidates);
+    const Candidate none = {.kind = DIAGNOSE_SCHEME};
+    if (sound && search->walk.departure.is && (sound = try_one(search, &none, &walk, &wrong, &agrees)))
+        search->own = walk.entries;
     for (int i = 0; i < count && sound; i++) {
         if (candidates[i].kind == DIAGNOSE_SCHEME)
             continue;
@@ -337,6 +349,7 @@ static bool try_listed(Search *search, Listed what)
         if (sound && agrees)
             keep(search, &candidates[i], &wrong, &walk);
     }
+    search->own = 0;
     free(candidates);
     return sound;
 }
@@ -480,30 +493,32 @@ static void tell_walk(Search *search)
         name_departure(search);
 }
 
-/* Of codes that agree the nearest: a mistake whose numbers are orders nearer than those of the right code,
- * which agrees but for what round-off may come to. */
+/* Of codes that agree the nearest: mistakes whose numbers, beyond the digits written, are orders nearer than
+ * those of the right code, which agrees but for what round-off may come to. */
 static bool take_nearest(Search *search)
 {
-    enum { ORDERS = 3 };
+    const double orders = 1e3, round_off = 1e-13;
     Diagnosis *found = search->found;
     const bool departs = search->walk.departure.is, scheme = departs && found->n_explanations > 0;
-    const int right = scheme ? found->explanations[0].digits : found->digits;
-    int best = 0, kept = 0;
     if (departs && (!scheme || found->explanations[0].kind != DIAGNOSE_SCHEME))
         return false;
+    const double right = scheme ? found->explanations[0].beyond : beyond_of(&search->walk);
+    double best = right;
     for (int i = 0; i < found->n_explanations; i++)
-        if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].digits > best)
-            best = found->explanations[i].digits;
-    if (best < right + ORDERS)
+        if (found->explanations[i].kind == DIAGNOSE_MISTAKE)
+            best = fmin(best, found->explanations[i].beyond);
+    const double near = fmax(best, round_off) * orders;
+    if (right < near)
         return false;
+    int kept = 0;
     for (int i = 0; i < found->n_explanations; i++)
-        if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].digits == best)
+        if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].beyond < near)
             found->explanations[kept++] = found->explanations[i];
     found->n_explanations = kept;
     search->of_first = scheme ? search->by_first : search->given;
     free(search->grown);
     search->grown = NULL;
-    search->table->noise = math_pow(10, -best); /* where the right one departs by more */
+    search->table->noise = fmax(best, round_off); /* where the right one departs by more */
     return true;
 }
 
@@ -610,6 +625,15 @@ static double single_growth(const Settings *settings, double dt)
                          sqrt(material->youngs_modulus / material->density));
 }
 
+/* Whether the first row departs by round-off alone. */
+static bool departs_by(const Search *search, double noise)
+{
+    const Departure *departure = &search->found->departure;
+    return departure->is && departure->moment == 0 &&
+           fabs(departure->theirs - departure->ours) <=
+               noise * search->table->columns[departure->column].natural;
+}
+
 /* Numbers of single precision are judged by its round-off; where no code agrees to double precision, by what
  * 8 digits and more have lost, or by single precision where no more digits are written. */
 static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int count)
@@ -628,7 +652,8 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
         return true;
     const Diagnosis before = *search->found;
     const DiagnoseTable as_before = *table;
-    const double noise = digits > 7 ? rounded : single;
+    /* a start that departs by single precision shows it */
+    const double noise = digits > 7 && !departs_by(search, single) ? rounded : single;
     if (noise <= as_read.noise)
         return true;
     *table = as_read;

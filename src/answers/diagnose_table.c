@@ -450,9 +450,11 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
                            sizeof table->columns[0].kinds);
         }
     add_unknown(table, names, taken);
-    for (int c = 0; c < table->n_columns; c++)
-        table->columns[c].natural = diagnose_size_at_start(
-            sim, &(Quantity){table->columns[c].name, "", table->columns[c].unit, ""}, row);
+    for (int c = 0; c < table->n_columns; c++) {
+        DiagnoseColumn *column = &table->columns[c];
+        column->natural = diagnose_size_at_start(sim, &(Quantity){column->name, "", column->unit, ""}, row);
+        column->terms = diagnose_terms(file, column->theirs);
+    }
     free(row);
     for (int i = 0; i < names->n_mapped; i++)
         if (!taken[names->mapped[i].theirs])
@@ -861,7 +863,8 @@ static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
     snprintf(tall.columns[first + 1].name, OVERLAY_NAME_MAX, "%.*s", (int)stem, last);
     clean_name(tall.columns[first + 1].name);
     if (!*last)
-        snprintf(tall.columns[0].name, OVERLAY_NAME_MAX, "time");
+        snprintf(tall.columns[0].name, OVERLAY_NAME_MAX,
+                 counts_steps(&file->columns[0], count, sim->dt) ? "step" : "time");
     overlay_close(file);
     *file = tall;
     return true;

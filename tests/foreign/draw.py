@@ -181,12 +181,17 @@ def is_same(one, two):
         a, b = one.split(), two.split()
         if len(a) != len(b):
             return False
-    number = lambda text: [float(w.replace("D", "e")) for w in text.replace(",", " ").replace(";", " ").split() if w[0] in "-0123456789"]
-    try:
-        a, b = np.array(number(one)), np.array(number(two))
-    except ValueError:
-        return one == two
-    return len(a) == len(b) and bool(np.all(np.abs(a - b) <= 1e-9 * np.maximum(np.abs(a), 1e-3 * np.abs(b).max())))
+    words = lambda text: [w for w in text.replace(",", " ").replace(";", " ").replace("D", "e").split() if w[0] in "-0123456789"]
+    a, b = words(one), words(two)
+    digit = np.array([last_digit(x) for x in a])  # which may be rounded the other way
+    a, b = np.array(a, float), np.array(b, float)
+    return len(a) == len(b) and bool(np.all(np.abs(a - b) <= np.maximum(1.01 * digit, 1e-9 * np.maximum(np.abs(a), 1e-3 * np.abs(b).max()))))
+
+
+def last_digit(text):
+    """A unit of it: of 1.25e-3 it is 1e-5."""
+    digits, _, power = text.lower().partition("e")
+    return 10.0 ** (int(power or 0) - len(digits.partition(".")[2]))
 
 
 # --- classes ------------------------------------------------------------------------------------------------------
