@@ -648,18 +648,21 @@ static bool is_round_to(double number, int digits, double bound)
     return text_to_double(text_rounded(number, digits).text, &rounded) && fabs(rounded - number) <= bound;
 }
 
-/* The roundest step that times of few digits allow: a round number, or one of a round Courant number. */
+/* The roundest step that times of few digits allow: a round number, or one of a round Courant number; of two
+ * that are as round the nearer. */
 static double roundest(double spacing, double bound, double dt)
 {
-    double rounded = spacing;
-    for (int digits = 1; digits <= 6; digits++)
+    double best = INFINITY;
+    for (int digits = 1; digits <= 6 && isinf(best); digits++)
         for (int k = 0; k < 2; k++) {
             const double unit = k == 0 ? dt : 1;
+            double rounded;
             if (is_round_to(spacing / unit, digits, bound / unit) &&
-                text_to_double(text_rounded(spacing / unit, digits).text, &rounded))
-                return rounded * unit;
+                text_to_double(text_rounded(spacing / unit, digits).text, &rounded) &&
+                fabs(rounded * unit - spacing) < fabs(best - spacing))
+                best = rounded * unit;
         }
-    return spacing;
+    return isinf(best) ? spacing : best;
 }
 
 /* The units of times in the order in which they are likely: rows far apart may be in ms. */

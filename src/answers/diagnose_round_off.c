@@ -10,10 +10,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Whether all numbers that are written with more digits than single precision has are numbers of it. */
+/* Whether all numbers that are written with more digits than single precision has are numbers of it, but for
+ * noise of the eleventh digit. */
 bool diagnose_is_single(const DiagnoseTable *table)
 {
-    enum { DIGITS = 8, LEAST = 10, ENTRIES = 5 }; /* any number is one in a case of ten for each digit more */
+    enum {
+        DIGITS = 8,
+        DIGITS_MOST = 11,
+        LEAST = 10,
+        ENTRIES = 5
+    }; /* any number is one in a case of ten for each digit more */
     size_t counted = 0, entries = 0;
     for (int c = 0; c < table->n_columns; c++) {
         const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
@@ -22,9 +28,10 @@ bool diagnose_is_single(const DiagnoseTable *table)
             const double value = column->values[k];
             if (!isfinite(value) || value == 0)
                 continue;
-            if (fabs(value - (double)(float)value) > 0.51 * diagnose_last_digit(column, value))
+            const double digit = fmax(0.51 * diagnose_last_digit(column, value), 5e-12 * fabs(value));
+            if (fabs(value - (double)(float)value) > digit)
                 return false;
-            counted += (size_t)(column->digits + 1 - DIGITS);
+            counted += (size_t)(fmin(column->digits, DIGITS_MOST) + 1 - DIGITS);
             entries++;
         }
     }

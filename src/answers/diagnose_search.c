@@ -625,15 +625,6 @@ static double single_growth(const Settings *settings, double dt)
                          sqrt(material->youngs_modulus / material->density));
 }
 
-/* Whether the first row departs by round-off alone. */
-static bool departs_by(const Search *search, double noise)
-{
-    const Departure *departure = &search->found->departure;
-    return departure->is && departure->moment == 0 &&
-           fabs(departure->theirs - departure->ours) <=
-               noise * search->table->columns[departure->column].natural;
-}
-
 /* Numbers of single precision are judged by its round-off; where no code agrees to double precision, by what
  * 8 digits and more have lost, or by single precision where no more digits are written. */
 static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int count)
@@ -652,8 +643,7 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
         return true;
     const Diagnosis before = *search->found;
     const DiagnoseTable as_before = *table;
-    /* a start that departs by single precision shows it */
-    const double noise = digits > 7 && !departs_by(search, single) ? rounded : single;
+    const double noise = digits > 7 ? rounded : single;
     if (noise <= as_read.noise)
         return true;
     *table = as_read;
