@@ -16,8 +16,8 @@ function worker_address() {
 
 // Compiled once, for every start. From a server it is while it comes, and kept by the browser, where it is named as what it is.
 async function load_program() {
-	const inlined = element('program');
-	if (!inlined) {
+	const pieces = Array.from(document.getElementsByClassName('program'), (piece) => piece.textContent);
+	if (pieces.length === 0) {
 		const answer = await fetch('matvib.wasm');
 		if (!answer.ok) throw new Error('matvib.wasm: ' + answer.status);
 		let come = 0;
@@ -33,7 +33,7 @@ async function load_program() {
 		spare = new Worker(worker_address());
 		spare.onmessage = ({data}) => (data.program ? done(data.program) : fail(new Error(data.text)));
 		spare.onerror = (event) => fail(new Error(event.message || 'its worker could not be begun'));
-		spare.postMessage({unpack: inlined.textContent});
+		spare.postMessage({unpack: pieces});
 	});
 }
 

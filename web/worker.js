@@ -97,11 +97,13 @@ function start(message) {
 }
 
 // The program as the one file holds it, compiled for every start.
-async function unpack(packed) {
-	const text = atob(packed), bytes = new Uint8Array(text.length);
-	for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i); // many times faster than Uint8Array.from()
+async function unpack(pieces) {
 	const stream = new DecompressionStream('gzip'), whole = new Response(stream.readable).arrayBuffer(), writer = stream.writable.getWriter();
-	writer.write(bytes);
+	for (const piece of pieces) {
+		const text = atob(piece), bytes = new Uint8Array(text.length);
+		for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i); // many times faster than Uint8Array.from()
+		writer.write(bytes);
+	}
 	writer.close();
 	postMessage({program: await WebAssembly.compile(await whole)});
 }
