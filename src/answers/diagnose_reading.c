@@ -511,13 +511,17 @@ static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
     return reading;
 }
 
-/* Whether the row of step 0 is not the start. */
-static bool begins_later(const Trials *trials)
+/* Whether the first row may be after the step that its time is of: the row of step 0 is not the start, or
+ * times are of half steps. */
+static bool begins_later(const Trials *trials, double factor, double dt)
 {
-    for (int i = 0; i < trials->count; i++)
+    const DiagnoseTable *table = trials->search->table;
+    const double first = table->step_column < 0 ? diagnose_time_of(table, 0) * factor / dt : 0;
+    bool later = fabs(first - floor(first) - 0.5) < 0.01;
+    for (int i = trials->count; i-- > 0;)
         if (trials->all[i].plain && trials->all[i].reading.shift == 0)
-            return trials->all[i].denied;
-    return false;
+            later = later || trials->all[i].denied;
+    return later;
 }
 
 /* Whether its rows are those of the scenario's own steps. */
@@ -539,7 +543,7 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
         const TrialTimes times = {factor, dt, shifts[s], plain};
         const DiagnoseReading reading = reading_of(trials, &times);
         if (!trials->nodes && trials->n_times < TRIAL_TIMES_MAX &&
-            (plain || ((times.shift == 0 || (times.shift == 1 && begins_later(trials))) &&
+            (plain || ((times.shift == 0 || (times.shift == 1 && begins_later(trials, factor, dt))) &&
                        factor == trials->times[0].factor &&
                        (!has_own_steps(table) || 10.5 * dt > table->spacing * factor))))
             trials->times[trials->n_times++] = times;
@@ -698,7 +702,14 @@ static bool try_all_times(Trials *trials, bool *found)
             if (f > 0 && !likely && !(spacing > dt / 50 && spacing < 1000 * dt))
                 continue;
             const bool multiple = is_whole(spacing / dt, share * spacing / dt);
-            if (pass == 0 && multiple && !try_times(trials, factor, dt, likely, found))
+            /* a table without its start begins after one step, whatever its rows are apart */
+            const double begun = diagnose_time_of(table, 0) * factor;
+            if (pass == 0 && begun > 0 && spacing / begun > 1.5 &&
+                fabs(begun - dt) > DIAGNOSE_SAME_STEP * dt &&
+                is_whole(spacing / begun, share * spacing / begun) &&
+                !try_times(trials, factor, begun, likely, found))
+                return false;
+            if (pass == 0 && multiple && !*found && !try_times(trials, factor, dt, likely, found))
                 return false;
             if (*found && pass == 0 && spacing > 1.5 * dt && diagnose_digits_written(table) < ENOUGH_DIGITS) {
                 *found = false; /* or by a wrong code with the step of its rows */

@@ -497,7 +497,7 @@ static void tell_walk(Search *search)
  * those of the right code, which agrees but for what round-off may come to. */
 static bool take_nearest(Search *search)
 {
-    const double orders = 1e3, round_off = 1e-13;
+    const double orders = 1e2, round_off = 1e-15;
     Diagnosis *found = search->found;
     const bool departs = search->walk.departure.is, scheme = departs && found->n_explanations > 0;
     if (departs && (!scheme || found->explanations[0].kind != DIAGNOSE_SCHEME))

@@ -41,7 +41,10 @@ def run(code, tell, steps, single=False):
     with np.errstate(all="ignore"):
         for step in range(steps + 1):
             if step:
-                code.step()
+                try:
+                    code.step()
+                except IndexError:  # nothing is left in its grid
+                    break
             if single:
                 for name in ("x", "v", "stress", "rho", "u", "f"):
                     if isinstance(getattr(code, name, None), np.ndarray):
@@ -108,16 +111,12 @@ class Writer:
         self.random = random.Random(draw.random())
         self.length_unit = draw.choices([1, 1e3], [90, 10])[0]
         self.decimals = draw.random() < 0.08  # times of four decimals
-        if any(n in ENERGIES for n in self.used()):
-            self.sign = 1  # nobody turns an energy round
         if self.noise:
             self.form = "%.16e"
 
-    def used(self):
-        return {"series": self.others, "one": [self.column]}.get(self.kind, [])
-
     def scale(self, name):
-        return self.sign * (self.length_unit if name in LENGTHS else 1) * (1 + self.noise * self.random.uniform(-1, 1))
+        sign = 1 if name in ENERGIES else self.sign  # nobody turns an energy round
+        return sign * (self.length_unit if name in LENGTHS else 1) * (1 + self.noise * self.random.uniform(-1, 1))
 
     def columns(self, rows):
         if self.kind in ("series", "one"):
