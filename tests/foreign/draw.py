@@ -180,7 +180,7 @@ def is_same(one, two, share):
         a, b = one.split(), two.split()
         if len(a) != len(b):
             return False
-    words = lambda text: [w for w in text.replace(",", " ").replace(";", " ").replace("D", "e").split() if w[0] in "-0123456789"]
+    words = lambda text: [w for w in text.replace(",", "." if ";" in text else " ").replace(";", " ").replace("D", "e").split() if w[0] in "-0123456789"]
     a, b = words(one), words(two)
     digit = np.array([last_digit(x) for x in a])  # which may be rounded the other way
     a, b = np.array(a, float), np.array(b, float)
