@@ -278,11 +278,14 @@ awk -F, 'NR == 1 { print "step,v_probe" } NR > 1 { print $1 "," 1.05 * $4 }' who
 # shellcheck disable=SC2086
 expect "numbers of no beam of six rows" 1 supported-beam-coarse $thick fast.csv
 result "are of none of its neighbours" says out '^None of [0-9]* other codes gives these numbers'
-"$MATVIB" run supported-beam-coarse --set beam.length=20mm --set beam.height=2mm --steps 2 --set pd.mistake=one_way --bonds b.csv --particles p.csv --quiet
-expect "bonds" 1 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm b.csv
+# shellcheck disable=SC2086
+"$MATVIB" run supported-beam-coarse $thin --steps 2 --set pd.mistake=one_way --bonds b.csv --particles p.csv --quiet
+# shellcheck disable=SC2086
+expect "bonds" 1 supported-beam-coarse $thin b.csv
 result "tell a beam's mistake" says out '^  one_way: A bond pulls at its left end only'
 awk -F, -v OFS=, 'NR > 1 { $3++ } 1' p.csv >p1.csv
-expect "particles counted from 1" 1 supported-beam-coarse --set beam.length=20mm --set beam.height=2mm p1.csv
+# shellcheck disable=SC2086
+expect "particles counted from 1" 1 supported-beam-coarse $thin p1.csv
 result "are told" sh -c 'grep -q "particle 1 is our particle 0" out && grep -q "^  one_way: " out'
 
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $4 }' right.csv >exact.csv
@@ -319,7 +322,7 @@ result "agrees in no row" says out "^Your numbers agree with the right code's in
 awk -F, -v OFS=, 'NR == 1 || NR <= 30 { print $1, $2, $3, $6, $7, $8, $10 }' right.csv | cat - tail.csv >lost.csv
 expect "a run that is no number in the end" 1 mode5 lost.csv
 result "is not right" sh -c 'grep -q "^They first depart at step 29, row 30, column v_cm:$" out && grep -q "^  yours is not a number from here on (nan or inf), right " out'
-expect "such a run as JSON" 1 mode5 lost.csv --json
+expect "such a run as JSON" 1 mode5 lost.csv --json --time 0.1
 result "is JSON" sh -c 'command -v python3 >/dev/null || exit 0; python3 -c "import json, sys; row = json.load(open(\"out\"))[0]; assert row[\"verdict\"] == \"unknown\" and row[\"yours\"] is None"'
 for word in 'nan(ind)' -1.#IND 1.#INF Infinity; do # as Windows and Fortran write it
 	sed "/^29,/,\$s/nan/$word/" lost.csv >words.csv
