@@ -518,9 +518,8 @@ static bool begins_later(const Trials *trials, double factor, double dt)
     const DiagnoseTable *table = trials->search->table;
     const double first = table->step_column < 0 ? diagnose_time_of(table, 0) * factor / dt : 0;
     bool later = fabs(first - floor(first) - 0.5) < 0.01;
-    for (int i = trials->count; i-- > 0;)
-        if (trials->all[i].plain && trials->all[i].reading.shift == 0)
-            later = later || trials->all[i].denied;
+    for (int i = 0; i < trials->count && !later; i++)
+        later = trials->all[i].plain && trials->all[i].reading.shift == 0 && trials->all[i].denied;
     return later;
 }
 
