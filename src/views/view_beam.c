@@ -290,65 +290,68 @@ static bool has_findings(const Screen *screen)
                                findings) > 0;
 }
 
+/* An oscillation that dies: how fast, and how fast it oscillates meanwhile, beside theory. */
+static void decay_lines(const Screen *screen, const Readout *readout, char first[160], char second[160])
+{
+    const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
+    snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
+    if (exact)
+        text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
+    if (readout->measured_known)
+        text_append(first, 160, "  T %s ms", readout_text(readout, 4).text);
+    snprintf(second, 160, readout->measured_known ? "f %.1f Hz" : "f measuring", 1 / readout->measured);
+    if (screen_shows_predicted(screen) && readout->predicted_known)
+        text_append(second, 160, ", %s %.1f", predicted_word(screen), 1 / readout->predicted);
+    if (exact)
+        text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
+}
+
+/* A beam that comes out of its channel. */
+static void moving_lines(const Screen *screen, const Readout *readout, char first[160], char second[160])
+{
+    const bool exact = screen_shows_exact(screen), measured = readout->measured_known;
+    const int length = experiment_column(screen->experiment, "length");
+    const double *row = experiment_row(screen->experiment);
+    if (length >= 0 && row)
+        snprintf(first, 160, LONG_SHORT("length %.2f mm", "length %.1f mm"), row[length] / 1e-3,
+                 row[length] / 1e-3);
+    text_append(first, 160, measured ? "  f" LONG_SHORT(" measured", "") " %.1f Hz" : "  f measuring",
+                1 / readout->measured);
+    if (measured && exact) {
+        text_append(first, 160, "  modal %.1f", 1 / readout->exact);
+        snprintf(second, 160, "last period %+.2f %%  %.3f T %s  ", readout->error_period, fabs(readout->late),
+                 readout->late < 0 ? "ahead" : "behind");
+    }
+    if (exact)
+        text_append(second, 160, "at fixed length %.1f Hz",
+                    references_standing_frequency(experiment_references(screen->experiment),
+                                                  experiment_time(screen->experiment)));
+}
+
 bool beam_lines(const Screen *screen, char first[160], char second[160])
 {
-    const bool leaves = screen_settings(screen)->problem->concerns & CONCERN_MOTION;
-    first[0] = second[0] = '\0';
+    const Readout *readout = experiment_readout(screen->experiment);
     CrackFacts facts;
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
+    first[0] = second[0] = '\0';
     if (crack_facts(screen_simulation(screen), &facts))
         crack_lines(&facts, crack_rayleigh_speed(screen_settings(screen)), first, second);
     else if (fronts) {
         FrontsFacts found;
         crack_fronts_facts(fronts, &found);
         crack_fronts_lines(&found, crack_rayleigh_speed(screen_settings(screen)), "µs", first, second);
-    } else if (!screen_has(screen, HAS_PLANE))
+    } else if (!screen_has(screen, HAS_PLANE) ||
+               (!readout->moving && (has_findings(screen) || readout->unjudged)))
         return false;
-    else if (!experiment_readout(screen->experiment)->moving &&
-             (has_findings(screen) || experiment_readout(screen->experiment)->unjudged))
-        return false;
-    else if (!experiment_readout(screen->experiment)->moving)
+    else if (!readout->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");
-    else if (experiment_readout(screen->experiment)->unaccounted)
-        snprintf(first, 160, "T: not known with %s", experiment_readout(screen->experiment)->unaccounted);
-    else if (isfinite(experiment_readout(screen->experiment)->decay_exact)) {
-        /* An oscillation that dies: how fast, and how fast it oscillates meanwhile, beside theory. */
-        const Readout *readout = experiment_readout(screen->experiment);
-        const bool exact = screen_shows_exact(screen), measured = isfinite(readout->decay_measured);
-        snprintf(first, 160, measured ? "decay %.5g 1/s" : "decay measuring", readout->decay_measured);
-        if (exact)
-            text_append(first, 160, ", theory %.5g%s", readout->decay_exact, measured ? "" : " 1/s");
-        if (readout->measured_known) {
-            text_append(first, 160, "  T %s ms", readout_text(readout, 4).text);
-            snprintf(second, 160, "f %.1f Hz", 1 / readout->measured);
-        } else
-            snprintf(second, 160, "f measuring");
-        if (screen_shows_predicted(screen) && readout->predicted_known)
-            text_append(second, 160, ", %s %.1f", predicted_word(screen), 1 / readout->predicted);
-        if (exact)
-            text_append(second, 160, "  Timoshenko %.1f", 1 / readout->exact);
-    } else if (leaves) {
-        const Readout *readout = experiment_readout(screen->experiment);
-        const int length = experiment_column(screen->experiment, "length");
-        const double *row = experiment_row(screen->experiment);
-        const double standing = references_standing_frequency(experiment_references(screen->experiment),
-                                                              experiment_time(screen->experiment));
-        if (length >= 0 && row)
-            snprintf(first, 160, LONG_SHORT("length %.2f mm", "length %.1f mm"), row[length] / 1e-3,
-                     row[length] / 1e-3);
-        if (readout->measured_known) {
-            text_append(first, 160, "  f" LONG_SHORT(" measured", "") " %.1f Hz", 1 / readout->measured);
-            if (screen_shows_exact(screen))
-                text_append(first, 160, "  modal %.1f", 1 / readout->exact);
-            if (screen_shows_exact(screen))
-                text_append(second, 160, "last period %+.2f %%  %.3f T %s", readout->error_period,
-                            fabs(readout->late), readout->late < 0 ? "ahead" : "behind");
-        } else {
-            text_append(first, 160, "  f measuring");
-        }
-        if (screen_shows_exact(screen))
-            text_append(second, 160, "%sat fixed length %.1f Hz", second[0] ? "  " : "", standing);
-    } else
+    else if (readout->unaccounted)
+        snprintf(first, 160, "T: not known with %s", readout->unaccounted);
+    else if (isfinite(readout->decay_exact))
+        decay_lines(screen, readout, first, second);
+    else if (screen_settings(screen)->problem->concerns & CONCERN_MOTION)
+        moving_lines(screen, readout, first, second);
+    else
         supported_lines(screen, first, second);
     return true;
 }
