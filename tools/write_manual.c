@@ -450,7 +450,7 @@ static bool write_results(const char *argument)
 
 /* --- where the papers are silent ------------------------------------------------------------------- */
 
-/* By what they are about, so that each stands under one heading. */
+/* By what they are about, so that each has one heading. */
 static bool write_choices(const char *argument)
 {
     (void)argument;
@@ -478,7 +478,7 @@ static bool write_run_numbers(const char *unused)
     return true;
 }
 
-/* Those that stand in large digits: what is said of them there. */
+/* Those that are shown in large digits, with their words. */
 static bool write_about_numbers(const char *unused)
 {
     (void)unused;

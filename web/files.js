@@ -50,7 +50,7 @@ function archive(files) {
 	return new Blob([...parts, ...directory, words([4, 0x06054b50], [4, 0], [2, count], [2, count], [4, size], [4, at], [2, 0])]);
 }
 
-// What stands there already is left alone, for a finger may be on it: a homework is written with every key.
+// A button that is there already is left alone, for a finger may be on it: a homework is written with every key.
 const stands = {};
 
 function put(place, sign, parts) {

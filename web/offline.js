@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The service worker of the folder on a server: what the page is made of is kept, so that it opens without a network. What comes
-// anew comes from the network where there is one.
+// The service worker of the folder on a server: what the page is made of is kept, so that it opens without a network. A newer
+// file comes from the network where there is one.
 'use strict';
 const KEPT = 'matvib-@version@', PARTS = ['./', 'index.html', 'matvib.css', @scripts@, 'worker.js', 'matvib.wasm'];
 addEventListener('install', (event) => event.waitUntil(caches.open(KEPT).then((kept) => kept.addAll(PARTS.slice(1)))));

@@ -54,7 +54,7 @@ function begin(words, {files = [], input = ''} = {}) {
 
 function show_end(title, text) {
 	element('end-title').textContent = title;
-	// what a line of progress was before it was written anew is not shown
+	// the earlier texts of a line of progress are not shown
 	element('end-text').textContent = text.replace(/\x1b\[[\d;]*[A-Za-z]/g, '').replace(/[^\n]*\r(?!\n)/g, '').replace(/[\x00-\x08\x0b-\x1f\x7f]/g, '').slice(-1500);
 	list_files('end-files', (name) => name === opened.recording || (!opened.recording && name.endsWith('.session')));
 	element('again').textContent = opened.recording && !about_session(opened.recording).whole ? 'go on with it' : 'start again';

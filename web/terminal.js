@@ -42,7 +42,7 @@ function send(bytes) {
 	if (worker) worker.postMessage({keys: bytes});
 }
 
-// Esc with a sequence that is no key's behind it: alone the program would wait for more, and take the next key for Alt's.
+// Esc with a sequence that is not a key's behind it: alone the program would wait for more, and take the next key for Alt's.
 const press = (text) => send(encoder.encode(text === '\x1b' ? '\x1b\x1b[u' : text));
 
 // The size of the type: at first and when a telephone is turned (`width` changes), whether it is

@@ -24,7 +24,7 @@ function scan() {
 	const FS = made.FS;
 	const look = (folder, kept) => {
 		if (!FS.analyzePath(folder).exists) return;
-		// of files written together the first, which the others stand beside, goes last: it is the one to be offered
+		// of files written together the first, to which the others belong, goes last: it is the one to be offered
 		for (const name of FS.readdir(folder).reverse()) {
 			if (name === '.' || name === '..') continue;
 			const path = folder + '/' + name, stat = FS.stat(path);

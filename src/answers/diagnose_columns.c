@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What of a column there is: in the file and in the right run. */
+/* How much a column holds: in the file and in the right run. */
 typedef struct Extent {
     size_t given;
     double theirs, ours; /* largest */

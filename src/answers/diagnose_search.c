@@ -173,7 +173,7 @@ static bool is_beyond_chance(const Search *search, const Candidate *candidate, c
 {
     enum { DIGITS = 11 }; /* some 1e5 codes are tried */
     const DiagnoseTable *table = search->table;
-    const int digits = diagnose_digits_written(table); /* 0: there is no number */
+    const int digits = diagnose_digits_written(table); /* 0: no column has digits */
     const size_t start = table->moments[0].step > 0 ? 0 : table->moments[0].count * (size_t)table->n_columns,
                  right = search->walk.entries > search->own ? search->walk.entries : search->own,
                  before = right > start ? right : start,

@@ -87,7 +87,8 @@ static bool read_map(Names *names, const Overlay *file, const char *map, Status 
         at += length;
         char *equals = strchr(pair, '='), *times = equals ? strchr(equals, '*') : NULL;
         if (!equals || equals == pair || names->n_mapped == DIAGNOSE_COLUMNS_MAX)
-            return status_refuse(status, "--map: \"%.60s\" is no theirs=ours or theirs=ours*FACTOR", pair);
+            return status_refuse(
+                status, "--map: \"%.60s\" is not of the form theirs=ours or theirs=ours*FACTOR", pair);
         Mapped *mapped = &names->mapped[names->n_mapped++];
         *equals = '\0';
         mapped->factor = 1;
@@ -458,7 +459,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     free(row);
     for (int i = 0; i < names->n_mapped; i++)
         if (!taken[names->mapped[i].theirs])
-            return status_refuse(status, "--map: %.40s is no column of ours (step, time, %s)",
+            return status_refuse(status, "--map: %.40s is not a column of ours (step, time, %s)",
                                  names->mapped[i].ours, known);
     if (columns->step < 0 && columns->time < 0)
         return status_refuse(status, "%s:1: no column step or time (--map 1=time names the first so)",
@@ -647,7 +648,7 @@ static bool place_of(const DiagnoseTable *table, const ColumnMap *columns, const
     *place = (Place){.row = row};
     if (columns->step >= 0) {
         if (!whole_number(file->columns[columns->step].values[row], 1e12, &place->step))
-            return status_refuse(status, "%s: row %zu: step %g is no whole number from 0 on", file->file,
+            return status_refuse(status, "%s: row %zu: step %g is not a whole number from 0 on", file->file,
                                  row + 1, file->columns[columns->step].values[row]);
     } else {
         const double time = file->columns[columns->time].values[row];

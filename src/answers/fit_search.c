@@ -148,7 +148,7 @@ static bool find_parameters(Search *search, Status *status)
                    : !parameter || !parameter_applies_to(task->settings, parameter))
             return status_refuse(status, "%.80s: this run has no such parameter", key);
         if (of_row ? of_row->value == ROW_EDGE : parameter->type != PARAMETER_REAL)
-            return status_refuse(status, "%s: is no real number and cannot be fitted", key);
+            return status_refuse(status, "%s: is not a real number and cannot be fitted", key);
         for (int j = 0; j < i; j++)
             if (strcmp(task->keys[j], key) == 0)
                 return status_refuse(status, "%s: is named twice", key);
@@ -395,7 +395,7 @@ static bool is_fit(const FitResult *result)
 
 const char *fit_verdict(const FitResult *result)
 {
-    return !is_fit(result)        ? "nearly as large as the data: that is no fit"
+    return !is_fit(result)        ? "nearly as large as the data: that is not a fit"
            : result->n_others > 0 ? "as small at other values, which the data cannot tell from these"
                                   : left_words[result->left].brief;
 }

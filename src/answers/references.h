@@ -41,9 +41,9 @@ void references_reset(References *);
 void references_row_again(References *, long step, double time, const double *method_row,
                           const double *earlier, double *row);
 
-/* How many rows before the present one a row depends on (a filter's window); 0: none. Whoever begins again in
- * the middle of a run resets, and hands over so many earlier rows first. Where it is not 0, every step needs
- * a row, whichever are kept. */
+/* How many rows before the present one a row depends on (a filter's window); 0: none. A caller that begins
+ * again in the middle of a run resets, and hands over so many earlier rows first. Where it is not 0, every
+ * step needs a row, whichever are kept. */
 long references_memory(const References *);
 
 /* The exact profile of a particle field ("u", "v", "stress", ...) at a reference position; NAN: not known. */

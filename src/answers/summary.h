@@ -19,7 +19,7 @@ void summary_crack(RunSummary *, const Simulation *, const Settings *);
 /* The same numbers for a run on screen, to its newest step. */
 void summary_of(const Experiment *, RunSummary *);
 
-/* What of a summary a number is read from; the readout is always there. */
+/* The part of a summary from which a number is read; the readout is always there. */
 typedef enum SummaryPart { SUMMARY_READOUT, SUMMARY_ENERGY, SUMMARY_FINDINGS, SUMMARY_CRACK } SummaryPart;
 
 /* The readout and one part more at the step on screen, cheap enough for every picture: without what the crack

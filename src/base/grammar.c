@@ -146,13 +146,13 @@ bool grammar_read_power(Grammar *grammar, int *power)
     const bool minus = *grammar->at == '-';
     const char *digit = grammar->at + (minus || *grammar->at == '+');
     if (!isdigit((unsigned char)digit[0]) || isdigit((unsigned char)digit[1]) || digit[1] == '.')
-        return grammar->dialect->refuse(grammar, NULL, "has a power that is no whole number up to 9");
+        return grammar->dialect->refuse(grammar, NULL, "has a power that is not a whole number up to 9");
     *power = minus ? '0' - *digit : *digit - '0';
     grammar_pass(grammar, (size_t)(digit + 1 - grammar->at));
     return true;
 }
 
-/* With its sign; brackets and signs are what may stand in each other. */
+/* With its sign; brackets and signs alone are nested. */
 static bool read_signed(Grammar *grammar, bool *truth)
 {
     int power;

@@ -52,7 +52,7 @@ typedef struct Grammar Grammar;
 
 /* Each returns false where it has refused. */
 typedef struct GrammarDialect {
-    GrammarLevel level; /* of a whole text, and of what stands in brackets */
+    GrammarLevel level; /* of a whole text, and of the text in brackets */
     bool has_units;
     bool (*number)(Grammar *, double value);
     bool (*word)(Grammar *); /* at `at` stands a letter */
@@ -85,7 +85,7 @@ bool grammar_is_letter(char);
 bool grammar_take(Grammar *, const char *token);
 void grammar_pass(Grammar *, size_t length);
 bool grammar_read_power(Grammar *, int *power);
-bool grammar_refuse(Grammar *, const char *wanted); /* with what stands there */
+bool grammar_refuse(Grammar *, const char *wanted); /* quotes the text from here on */
 
 /* The next token: a word with digits, points and hyphens in it, a number, a sign. */
 size_t grammar_token(const Grammar *, char *out, size_t size);

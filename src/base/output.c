@@ -95,7 +95,7 @@ static bool output_has_folder(const char *name, Status *status)
     if (!known && (errno == ENOENT || errno == ENOTDIR))
         there = status_refuse(status, "%s: there is no folder %s", name, folder);
     else if (known && !S_ISDIR(what.st_mode))
-        there = status_refuse(status, "%s: %s is no folder", name, folder);
+        there = status_refuse(status, "%s: %s is not a folder", name, folder);
     free(copy);
     return there;
 }

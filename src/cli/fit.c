@@ -46,7 +46,7 @@ static bool choose_column(Data *data, const Options *options, const Settings *se
     }
     simulation_destroy(simulation);
     if (!data->column)
-        return status_refuse(status, "--column: %.60s is no column of the series (%s)",
+        return status_refuse(status, "--column: %.60s is not a column of the series (%s)",
                              options->column ? options->column : "(none of the table)", known);
     return true;
 }

@@ -301,7 +301,7 @@ int cli_lesson_print(const char *name, Status *status)
     if (!name)
         status_refuse(status, "--print: which lesson? (matvib lesson NAME --print)");
     else if (!builtin)
-        status_refuse(status, "--print: %.60s: is no lesson of the program (matvib lesson --list)", name);
+        status_refuse(status, "--print: %.60s: is not a lesson of the program (matvib lesson --list)", name);
     else
         fputs(builtin->text, stdout);
     return progress_result(builtin != NULL, status);

@@ -280,11 +280,11 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                              option->range[1], value);
     case OPTION_BYTES:
         if (!read_bytes(value, member))
-            return status_refuse(status, "%s: %.60s is no size (such as 64M or 2G)", option->name, value);
+            return status_refuse(status, "%s: %.60s is not a size (such as 64M or 2G)", option->name, value);
         return true;
     case OPTION_SIZE:
         if (!text_to_size(value, 1, option->most, member))
-            return status_refuse(status, "%s: %.60s is no size (such as 80x24; at most %d each)",
+            return status_refuse(status, "%s: %.60s is not a size (such as 80x24; at most %d each)",
                                  option->name, value, option->most);
         return true;
     case OPTION_WORD:

@@ -153,7 +153,7 @@ static bool choose_columns(Export *export, Status *status)
             found = found || strcmp(name, export->columns[i].quantity.name) == 0;
         if (!found && !((export->outputs->particles || export->outputs->nodes || export->outputs->bonds) &&
                         is_field(export->run.sim, name)))
-            return status_refuse(status, "output.columns: %.60s is no column of the series (%s)", name,
+            return status_refuse(status, "output.columns: %.60s is not a column of the series (%s)", name,
                                  known);
     }
     return true;

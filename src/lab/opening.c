@@ -174,7 +174,7 @@ bool opening_whole(Laboratory *lab, const char *text)
 {
     const char *whole = text[0] ? text : scenario_whole(lab->scenario);
     if (!whole)
-        return prompt_refuse(lab, "this is no coarse form (full SCENARIO opens one at full size)");
+        return prompt_refuse(lab, "this is not a coarse form (full SCENARIO opens one at full size)");
     return open_or_refuse(lab, whole);
 }
 

@@ -26,7 +26,7 @@ bool exercise_read_answer(const char *text, Exercise *exercise, Status *status)
     snprintf(number, sizeof number, "%.*s", (int)length, at);
     if (length >= sizeof number || !text_to_double(number, &exercise->tolerance) ||
         !(exercise->tolerance > 0) || (exercise->relative && at[length + 1]))
-        return status_refuse(status, "within %.40s: is no tolerance (NUMBER > 0, or NUMBER %%)", at);
+        return status_refuse(status, "within %.40s: is not a tolerance (NUMBER > 0, or NUMBER %%)", at);
     return expression_read(sum, EXPRESSION_NUMBER, &exercise->expression, status);
 }
 

@@ -86,7 +86,7 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
                              "page \"%.40s\" does something after its goal: only an "
                              "answer is followed by @do",
                              page->title);
-    /* Whoever has drawn whichever word, one choice is right. */
+    /* Whichever word a student has drawn, one choice is right. */
     const LessonVariant *drawn =
         *page->if_key ? lesson_variant(reader->lesson, page->if_key, reader->lesson->n_pages) : NULL;
     for (int i = 0; drawn && i < drawn->variant.n_words; i++) {
@@ -232,7 +232,7 @@ static bool read_field(Reader *reader, const char *text)
 {
     LessonPage *page = reader->page;
     if (!parameter_find(text))
-        return status_refuse(reader->status, "%.40s is no parameter (see: matvib params)", text);
+        return status_refuse(reader->status, "%.40s is not a parameter (see: matvib params)", text);
     if (page->n_fields == LESSON_FIELDS_MAX)
         return status_refuse(reader->status, "too many fields (at most %d)", LESSON_FIELDS_MAX);
     snprintf(page->fields[page->n_fields++], KEY_MAX, "%.*s", KEY_MAX - 1, text);
@@ -443,7 +443,7 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
         else if (!(sound = read_line(&reader, line)))
             status_prefix(status, "%s:%ld", name, lines.number);
     if (sound && (!lesson->title || lesson->n_pages == 0))
-        sound = status_refuse(status, "%s: is no lesson (@title and a @page are wanted)", name);
+        sound = status_refuse(status, "%s: is not a lesson (@title and a @page are wanted)", name);
     else if (sound && !end_page(&reader)) {
         status_prefix(status, "%s", name);
         sound = false;

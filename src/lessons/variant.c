@@ -97,11 +97,11 @@ bool variant_read(const char *text, Variant *variant, Status *status)
     *variant = (Variant){.from = NAN};
     if (sscanf(text, "%39s from %31s to %31s %c", variant->key, from, to, &more) != 3 ||
         !text_to_double(from, &variant->from) || !text_to_double(to, &variant->to))
-        return status_refuse(status, "\"%.60s\" is no variant (KEY from A to B, KEY from WORD, WORD ...)",
+        return status_refuse(status, "\"%.60s\" is not a variant (KEY from A to B, KEY from WORD, WORD ...)",
                              text);
     const Parameter *parameter = parameter_find(variant->key);
     if (!parameter)
-        return status_refuse(status, "%s is no parameter (see: matvib params)", variant->key);
+        return status_refuse(status, "%s is not a parameter (see: matvib params)", variant->key);
     if (parameter->type != PARAMETER_REAL && parameter->type != PARAMETER_INTEGER)
         return status_refuse(status, "%s has no numbers to draw from", variant->key);
     variant->whole = parameter->type == PARAMETER_INTEGER;

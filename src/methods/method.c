@@ -406,7 +406,7 @@ static bool refuse_field(const Simulation *sim, int set, const char *words, Stat
     for (int i = 0; i < sim->n_fields; i++)
         if (sim->fields[i].set == set)
             text_or(known, sizeof known, sim->fields[i].quantity.name);
-    return status_refuse(status, "%.40s is no field of a %s (%s)", words, sim->sets[set].name, known);
+    return status_refuse(status, "%.40s is not a field of a %s (%s)", words, sim->sets[set].name, known);
 }
 
 static bool find_thing(const Simulation *sim, const char *thing, int *field, size_t *index, Status *status)

@@ -297,8 +297,8 @@ struct Simulation {
     Status failure;
 };
 
-/* What of a field of set 0 comes of the common speed alone: v0 t of the displacement along x, v0 of the
- * velocity. */
+/* The part of a field of set 0 that comes from the common speed alone: v0 t of the displacement along x, v0
+ * of the velocity. */
 double simulation_carried(const Simulation *, int field);
 
 /* Whether it has all of these (HAS_...). */

@@ -253,7 +253,7 @@ void screen_draw(const Screen *, Canvas *);
 /* Where a pane lies at this size; width 0: it is not shown. */
 Rect screen_pane(const Screen *, int width, int height, PaneId);
 
-/* Whether what is known of somebody's own code stands in its pane at this size. */
+/* Whether the pane shows the diagnosis of a foreign code at this size. */
 bool screen_shows_diagnosis(const Screen *, int width, int height);
 
 /* Whether all panes of the sheet have room; on a smaller screen only the focused one, or the two plots, are

@@ -128,7 +128,7 @@ static bool is_page(const Plain *plain)
     return plain->lab.play.shown.open && plain->lab.play.shown.lesson;
 }
 
-/* What of the screen changes with a single step goes without saying there, a stage apart. */
+/* Whether a part of the screen is told now: not what changes with every step, but for a stage. */
 static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bool moved_far)
 {
     const Screen *screen = &plain->lab.screen;
@@ -499,7 +499,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
     if (visible_is_clean(line))
         take(plain, line);
     else
-        say(plain, "This line is no text in UTF-8, or holds characters that cannot be seen.");
+        say(plain, "This line is not text in UTF-8, or holds characters that cannot be seen.");
     forget_interrupt(plain);
     tell_message(plain); /* it would not outlast the work */
     let_it_work(plain);

@@ -246,7 +246,7 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     for (int i = 0; i < cells; i++) {
         OverlayColumn *column = &overlay->columns[i];
         double value;
-        /* The reader may know what a cell that is no number stands for. */
+        /* The reader may know the value of a cell with a word. */
         const char *cell = reader->cells[i];
         const bool letter = (*cell >= 'a' && *cell <= 'z') || (*cell >= 'A' && *cell <= 'Z');
         if (reader->word && (letter || overlay_is_not_finite(cell)) &&

@@ -220,7 +220,7 @@ bool settings_row_nudge(Settings *, const RowPlace *, int direction, bool fine);
 const char *parameter_automatic(const Parameter *, const Problem *);
 
 /* What screen.ask names of what there is, in its order, or, where the scenario names none, what its question
- * and the usual ones are. Returns how many. False of the second: a word of the list is no parameter of the
+ * and the usual ones are. Returns how many. False of the second: a word of the list is not a parameter of the
  * problem and no row of the scenario, or there are too many; the status says which. */
 enum { ASKED_MAX = 4 };
 typedef struct Asked {

@@ -130,7 +130,7 @@ static bool take_change(const Entry *entry, Settings *settings, Status *status)
     memcpy(text, entry->value, sizeof text);
     char *equals = strchr(text, '=');
     if (!text_to_long(entry->name, &step) || step < 0)
-        return status_refuse(status, "changes.%s: is no step (STEP = KEY=VALUE, STEP >= 0)", entry->name);
+        return status_refuse(status, "changes.%s: is not a step (STEP = KEY=VALUE, STEP >= 0)", entry->name);
     if (!equals)
         return status_refuse(status, "changes.%s: \"%.60s\" changes nothing (STEP = KEY=VALUE)", entry->name,
                              text);

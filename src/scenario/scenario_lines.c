@@ -133,7 +133,7 @@ static bool accept_key(Reader *reader, const char *line)
     size_t n = word_length(line);
     const char *equals = line + n + strspn(line + n, " ");
     if (n == 0 || *equals != '=')
-        return fail(reader, "this is no line of a scenario", "[SECTION], KEY = VALUE or # comment");
+        return fail(reader, "this is not a line of a scenario", "[SECTION], KEY = VALUE or # comment");
     char name[64];
     snprintf(name, sizeof name, "%.*s", (int)n, line);
     if (n >= KEY_MAX)

@@ -107,10 +107,11 @@ bool pulse_read(const char *text, Pulse *out, Status *status)
            quantity_is_sound(numbers[count]))
         count++;
     if (count < 3 || *rest || ends_in_comma(text) || !(numbers[1] > 0))
-        return status_refuse(status,
-                             "initial.pulse: \"%s\" is no pulse (centre,width,velocity, the width above 0, "
-                             "such as 50,3,1e-4)",
-                             text);
+        return status_refuse(
+            status,
+            "initial.pulse: \"%s\" is not a pulse (centre,width,velocity, the width above 0, "
+            "such as 50,3,1e-4)",
+            text);
     *out = (Pulse){numbers[0], numbers[1], numbers[2]};
     return true;
 }

@@ -102,8 +102,8 @@ static bool settings_check_asked(const Settings *settings, Status *status)
                 return false;
         } else if (!parameter || !parameter_applies(parameter, settings->problem))
             return status_refuse(status,
-                                 "screen.ask: %s is no parameter of problem %s (see: matvib params %s)", key,
-                                 settings->problem->word, settings->problem->word);
+                                 "screen.ask: %s is not a parameter of problem %s (see: matvib params %s)",
+                                 key, settings->problem->word, settings->problem->word);
         if (n == ASKED_MAX)
             return status_refuse(status, "screen.ask: names too many (at most %d)", ASKED_MAX);
     }

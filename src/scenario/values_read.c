@@ -105,7 +105,7 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
     const Problem *problem = settings->problem;
     if (parameter_applies(parameter, problem))
         return status_refuse(
-            status, "%s: is no parameter of method %s (only of %s)", parameter->key,
+            status, "%s: is not a parameter of method %s (only of %s)", parameter->key,
             settings_method_words[settings->method],
             settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
     char words[128];
@@ -114,7 +114,7 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
         if (parameter_applies(parameter, problems[p]))
             used += (size_t)snprintf(words + used, sizeof words - used, "%s%s", used ? ", " : "",
                                      problems[p]->word);
-    return status_refuse(status, "%s: is no parameter of problem %s (only of %s)", parameter->key,
+    return status_refuse(status, "%s: is not a parameter of problem %s (only of %s)", parameter->key,
                          problem->word, words);
 }
 

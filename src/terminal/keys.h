@@ -64,7 +64,7 @@ void keys_feed(KeyReader *, const void *bytes, size_t count, double now);
 /* The next key; false: all bytes are used up. */
 bool keys_next(KeyReader *, Key *);
 
-/* Whoever has found no more bytes says so: once the time is due, what has begun ends, which may be a key. */
+/* No more bytes have come: once the time is due, the sequence that has begun ends, which may be a key. */
 bool keys_silence(KeyReader *, double now, Key *);
 double keys_due(const KeyReader *); /* INFINITY: nothing has begun */
 

@@ -133,7 +133,7 @@ static void mode_lines(const Screen *screen, char first[NOTE_TEXT], char second[
     first[0] = second[0] = '\0';
     if (readout->mode < 1 || !readout->moving) {
         snprintf(first, NOTE_TEXT,
-                 readout->moving ? "this motion is no mode of a bar"
+                 readout->moving ? "this motion is not a mode of a bar"
                                  : "nothing vibrates here: no mode to measure");
         return;
     }

@@ -124,7 +124,7 @@ static bool take_section(Section *section, const Screen *screen, const SectionPa
         }
     }
     const double time = experiment_time(screen->experiment), slope = slope_of(section);
-    /* What of a stress adds up over the height: force sum sxy dA, moment sum sxx y dA. */
+    /* The resultant of a stress over the height: force sum sxy dA, moment sum sxx y dA. */
     const double area = section->body.spacing *
                         settings_geometry(experiment_settings(section->screen->experiment))->thickness;
     section->resultant = 0;

@@ -121,7 +121,7 @@ refuse "--set out of range" '--set: mesh.particles_per_cell: 9 is out of range (
 	show mode1 --set mesh.particles_per_cell=9
 refuse "Poisson's ratio of bonds" '--set: beam.poisson: is 1/3 here and cannot be set: bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its stretch' \
 	show supported-beam --set beam.poisson=0.3
-refuse "which a bar has not" '--set: beam.poisson: is no parameter of problem bar (only of simply-supported-beam, moving-cantilever)' show mode1 --set beam.poisson=0.3
+refuse "which a bar has not" '--set: beam.poisson: is not a parameter of problem bar (only of simply-supported-beam, moving-cantilever)' show mode1 --set beam.poisson=0.3
 refuse "a view that is none" '--set: view.upper: 99 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.upper=99
 refuse "half a view" '--set: view.lower: 1.5 is not allowed (1 to 9, or a view'\''s word)' show mode1 --set view.lower=1.5
 refuse "a window without length" '--set: view.window: 0 is not allowed (> 0)' show mode1 --set view.window=0
@@ -156,8 +156,8 @@ refuse "a command that went" 'export-lammps: is gone (what agreed with LAMMPS, a
 refuse "a slip in a command" 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
 refuse "laboratory: two scenarios" 'mode5: is one argument too many ([SCENARIO])' mode1 mode5
 refuse "laboratory: wrong word" '--glyphs: dots is not a choice (auto | braille | block | ascii)' --glyphs dots
-refuse "laboratory: wrong size" '--size: 80 is no size (such as 80x24; at most 1000 each)' --size 80
-refuse "laboratory: wrong history" '--history: 1Q is no size (such as 64M or 2G)' --history 1Q
+refuse "laboratory: wrong size" '--size: 80 is not a size (such as 80x24; at most 1000 each)' --size 80
+refuse "laboratory: wrong history" '--history: 1Q is not a size (such as 64M or 2G)' --history 1Q
 refuse "laboratory: wrong threads" '--threads: 0 is not allowed (a whole number, 1 or more)' --threads 0
 refuse "laboratory: too many threads" '--threads: 100000 are too many (1 to 1024)' --threads 100000
 

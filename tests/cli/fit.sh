@@ -45,7 +45,7 @@ printf '[scenario]\nproblem = plate\n[plate]\nlength = 40mm\nheight = 20mm\n[pd]
 expect "the load of a plate" 0 plate.ini --set loads.l.sy=2e4 --data p.csv --vary loads.l.sy
 result "is found" says out '^loads.l.sy  *10000 '
 expect "an edge" 2 plate.ini --data p.csv --vary loads.l.edge
-result "is no number" says err 'loads.l.edge: is no real number and cannot be fitted'
+result "is no number" says err 'loads.l.edge: is not a real number and cannot be fitted'
 expect "two parameters that only their ratio tells" 0 mode5 --data d.csv --vary bar.youngs_modulus,bar.density
 result "are told by their correlation" says out '^correlation of bar.youngs_modulus and bar.density: 1.000$'
 printf 't;u\n0;0,0071\n0,1;0,0061\n0,2;0,0035\n0,3;0,0002\n' >own.csv
@@ -60,7 +60,7 @@ refuse "over its data" "d.csv: the output would overwrite an input" mode5 --data
 awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; print "time,v_cm"; next } { x = (x * 69069 + 1) % 4294967296; print $at["time"], $at["v_cm"] - 4e-4 * (x / 4294967296 - .5) }' n.csv >noisy.csv
 expect "a share that is all" 0 mode5 --data noisy.csv --vary mpm.flip_fraction
 result "is known as well as the noise allows" sh -c 'awk "\$1 == \"mpm.flip_fraction\" { n = \$2 > .9999 && \$3 > .0018 && \$3 < .0028 } END { exit !n }" out'
-expect "a length that is no whole number of cells" 2 mode5 --data noisy.csv --vary bar.length
+expect "a length that is not a whole number of cells" 2 mode5 --data noisy.csv --vary bar.length
 result "is told so" says err '^matvib: bar.length: there is no run with a little more or less: mesh.cell_size: the length [0-9.]* must be'
 printf 'time,v_cm\n0,0\n1,0\n2,0\n3,0\n' >zero.csv
 refuse "data that are 0" "the data are all 0" mode5 --data zero.csv --vary bar.density
@@ -71,8 +71,8 @@ refuse "data that ask for a run without end" "the data end at t = 1e+07, more th
 refuse "no data" "fit: --data FILE is missing" mode5 --vary bar.density
 refuse "no parameters" "fit: --vary KEY,... is missing" mode5 --data d.csv
 refuse "a parameter that it has not" "beam.length: this run has no such parameter" mode5 --data d.csv --vary beam.length
-refuse "one that is no number" "mpm.shape: is no real number and cannot be fitted" mode5 --data d.csv --vary mpm.shape
-refuse "a column that it has not" "--column: u_probe is no column of the series ($("$MATVIB" run mode5 --steps 1 --columns all --series - --quiet | head -n 1 | tr ',' '\n' | grep -v -x -e step -e time -e 'v_cm_.*' | paste -sd , | sed 's/,/, /g'))" mode5 --data d.csv --vary bar.density --column u_probe
+refuse "one that is no number" "mpm.shape: is not a real number and cannot be fitted" mode5 --data d.csv --vary mpm.shape
+refuse "a column that it has not" "--column: u_probe is not a column of the series ($("$MATVIB" run mode5 --steps 1 --columns all --series - --quiet | head -n 1 | tr ',' '\n' | grep -v -x -e step -e time -e 'v_cm_.*' | paste -sd , | sed 's/,/, /g'))" mode5 --data d.csv --vary bar.density --column u_probe
 refuse "a file that exists" "f.csv: exists (--force replaces it)" mode5 --data d.csv --vary bar.density --output f.csv
 printf 'time,v_cm\n-1,0\n0,1\n1,2\n' >early.csv
 refuse "times before the run" "early.csv: a time below 0: -1 (a run begins at 0)" mode5 --data early.csv --vary bar.density

@@ -309,7 +309,7 @@ result "no end and no check" remark_is bad.csv stopped.session "Ada Lovelace" "c
 result "no name" remark_is bad.csv nameless.session "" "foreign: it has no name (matvib lesson NAME --name)"
 result "another text" remark_is bad.csv text.session "Ada Lovelace" '"foreign: it is of another lesson, or of another text of this one"'
 result "another version" remark_is bad.csv program.session "Ada Lovelace" "foreign: it is of another version of matvib (this is $version)"
-result "of no version" remark_is bad.csv free.session "" "damaged: free.session: is no session of matvib $version (it names no version)"
+result "of no version" remark_is bad.csv free.session "" "damaged: free.session: is not a session of matvib $version (it names no version)"
 result "a broken line" says bad.csv '^,,,,,,,broken.session,damaged: broken.session:[0-9]*: not a place of a session (end STEP'
 for file in half noise empty none pipe; do
 	result "$file" says bad.csv "^,,,,,,,$file.session,\"*damaged: $file.session"
@@ -553,7 +553,7 @@ refuse "a key of one lesson" "right.session: is one argument too many (LESSON)" 
 subcommand=lesson
 refuse "the key is the teacher's" "--key: is matvib grade --key LESSON" own.lesson --key
 refuse "a handout of which lesson" "--handout: which lesson? (matvib lesson NAME --handout FILE.pdf)" --handout a.pdf
-refuse "a lesson of one's own is no sample" "--print: own.lesson: is no lesson of the program (matvib lesson --list)" own.lesson --print
+refuse "a lesson of one's own is no sample" "--print: own.lesson: is not a lesson of the program (matvib lesson --list)" own.lesson --print
 refuse "a print of which lesson" "--print: which lesson? (matvib lesson NAME --print)" --print
 refuse "an ID of nobody" "--id: goes with --name" own.lesson --id 17
 refuse "an empty name" "--name: the name is empty" own.lesson --name " "

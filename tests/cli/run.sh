@@ -33,7 +33,7 @@ result "are all" header c.csv \
 	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,x_cm_rate,kinetic,kinetic_grid,kinetic_null,strain,work,total,momentum,reaction
 expect "what stands beside repeats them" 0 c.csv.ini --series d.csv --quiet
 result "with the same bytes" cmp -s c.csv d.csv
-refuse "a column that there is not" "--columns: output.columns: v_probe is no column of the series (all, step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total)" \
+refuse "a column that there is not" "--columns: output.columns: v_probe is not a column of the series (all, step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total)" \
 	mode1 --steps 9 --columns v_cm,v_probe --series e.csv
 
 "$MATVIB" show mode1 >shown.ini
@@ -174,7 +174,7 @@ expect "it repeats" 0 p.csv.ini --series r.csv --quiet
 result "the same bytes" cmp -s p.csv r.csv
 expect "it has no nodes of a mesh" 2 mode5 --set scenario.method=pd --nodes n.csv
 expect "a key of the other method" 2 mode5 --set mpm.shape=gimp --set scenario.method=pd
-result "is refused by name" says err '^matvib: --set: mpm.shape: is no parameter of method pd (only of mpm)$'
+result "is refused by name" says err '^matvib: --set: mpm.shape: is not a parameter of method pd (only of mpm)$'
 expect "too large a step" 2 mode5 --set scenario.method=pd --set time.courant=1
 result "both steps are named" says err 'the time step 0.1 is above the critical one, 0.0880243 (courant at most 0.88024)$'
 rm -f ./*.csv ./*.ini
@@ -255,7 +255,7 @@ expect "standard output for two tables" 2 mode1 --series - --nodes -
 expect "a folder that is not there" 2 mode1 --series none/x.csv
 result "is told" says err '^matvib: none/x.csv: there is no folder none$'
 expect "a folder that is a file" 2 mode1 --series out/x.csv
-result "is told" says err '^matvib: out/x.csv: out is no folder$'
+result "is told" says err '^matvib: out/x.csv: out is not a folder$'
 expect "more steps than can be done" 2 supported-beam-coarse --end 1e12
 result "are counted at once" says err '^matvib: .*time.end: 1e+12 takes 9.33e+18 steps'
 expect "a full device" 1 mode1 --series /dev/full

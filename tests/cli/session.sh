@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# --record and --replay: the same bits again; --last; what is no session is refused.
+# --record and --replay: the same bits again; --last; what is not a session is refused.
 # shellcheck source=tests/common.sh
 . "$MATVIB_SRCDIR/tests/common.sh"
 
@@ -53,13 +53,13 @@ result "a replay can be recorded: the same keys" cmp a b
 
 result "a session is not overwritten" refused 'mode5.session: exists (--force replaces it)' mode1 --record mode5.session
 "$MATVIB" show mode1 2>/dev/null | sed -n '/^\[scenario\]/,$p' >first.ini
-result "a scenario is no session" refused \
+result "a scenario is not a session" refused \
 	'first.ini:1: unknown line: [scenario] (scenario NAME | paused | first | sheet WORD | lesson NAME | student NAME | version HASH PROGRAM | reached NAME PAGE | "| ..." | at ... | stop ... | end ... | check HASH)' --replay first.ini
 sed 's/^\(version [0-9a-f]*\) .*/\1 1.0.0/' mode5.session >old.session
 result "another version's is refused by it" refused "old.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | sed 's/matvib //;q'), which replays its own sessions only)" --replay old.session
 sed '/^|/s/.*/| nothing that is known/' old.session >older.session
 result "whatever else it holds" refused "older.session: is of matvib 1.0.0 (this is $("$MATVIB" --version | sed 's/matvib //;q'), which replays its own sessions only)" --replay older.session
-result "nor is nothing" refused 'empty: is no session (its scenario is missing)' --replay empty
+result "nor is nothing" refused 'empty: is not a session (its scenario is missing)' --replay empty
 sed 's/^at .*Space$/at x 1 80x24 Space/' mode5.session >broken.session
 line=$(grep -n '^at x' broken.session | head -n 1 | cut -d: -f1)
 result "a place that is none" refused \
@@ -81,7 +81,7 @@ result "nor a control character" refused "c1.session:$(wc -l <c1.session): is no
 head -c 1000000 /dev/zero | tr '\0' a >endless.session
 result "a line has an end" refused 'endless.session:1: the line is too long (at most 1100 bytes)' --replay endless.session
 mkfifo pipe.session
-result "a pipe is no session" refused 'pipe.session: is a pipe or a device (a file is wanted)' --replay pipe.session
+result "a pipe is not a session" refused 'pipe.session: is a pipe or a device (a file is wanted)' --replay pipe.session
 result "nor is a folder" refused '.: cannot be read: Is a directory' --replay .
 # the computer stopped in the middle of a line
 sed '/^end/d' mode5.session >open.session

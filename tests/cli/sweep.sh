@@ -191,7 +191,7 @@ refuse "nothing to vary" '--vary is missing (--vary KEY=A,B,C or KEY=LO:HI:N)' m
 refuse "no scenario" 'SCENARIO is missing (see: matvib --help)' --vary time.end=1
 refuse "no values" '--vary: "time.end" varies nothing (KEY=A,B,C or KEY=LO:HI:N)' mode5 --vary time.end
 refuse "an empty value" '--vary: time.end: an empty value (A,B,C or LO:HI:N)' mode5 --vary time.end=1,,2
-refuse "a range of one" '--vary: time.end: 1:2:1 is no range (LO:HI:N, N from 2 to 100000)' mode5 --vary time.end=1:2:1
+refuse "a range of one" '--vary: time.end: 1:2:1 is not a range (LO:HI:N, N from 2 to 100000)' mode5 --vary time.end=1:2:1
 refuse "an unknown key" '--vary: mesh.cellsize: unknown key (did you mean mesh.cell_size?)' mode5 --vary mesh.cellsize=1
 refuse "out of range, the last value" '--vary: mesh.particles_per_cell: 9 is out of range (1 to 8)' \
 	mode5 --vary mesh.particles_per_cell=1:9:9

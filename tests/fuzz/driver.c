@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Without libFuzzer: every file of a corpus, and a number of broken copies of each, always the same ones.
  *
- * Usage: fuzz_TARGET FILE-OR-FOLDER...     MATVIB_MUTANTS says how many copies (100) */
+ * Usage: fuzz_TARGET FILE-OR-FOLDER...     MATVIB_MUTANTS says how many copies (30) */
 #include "fuzz/fuzz.h"
 
 #include <dirent.h>
@@ -111,7 +111,7 @@ int main(int count, char **arguments)
     const char *wanted = getenv("MATVIB_MUTANTS");
     long files = 0;
     for (int i = 1; i < count; i++)
-        if (!run_path(arguments[i], wanted ? atol(wanted) : 100, &files)) {
+        if (!run_path(arguments[i], wanted ? atol(wanted) : 30, &files)) {
             fprintf(stderr, "%s: %s cannot be read\n", arguments[0], arguments[i]);
             return 1;
         }

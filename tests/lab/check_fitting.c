@@ -114,7 +114,7 @@ START_TEST(what_cannot_be_fitted_is_refused)
     enter(bench, "overlay data.csv");
     ck_assert_ptr_nonnull(strstr(enter(bench, "fit"), "no parameter is named"));
     press(bench, "Esc");
-    ck_assert_ptr_nonnull(strstr(enter(bench, "fit initial.mode"), "no real number"));
+    ck_assert_ptr_nonnull(strstr(enter(bench, "fit initial.mode"), "not a real number"));
     press(bench, "Esc");
     ck_assert_ptr_nonnull(strstr(enter(bench, "fit nonsense"), "nonsense"));
     close_bench(bench);

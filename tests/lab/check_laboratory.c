@@ -970,7 +970,8 @@ static bool gives_up(void *context)
     return false;
 }
 
-/* An interrupt that is no key stops a study as the key does: the point that is worked on is the last one. */
+/* An interrupt that is not a key stops a study as the key does: the point that is worked on is the last one.
+ */
 START_TEST(an_interrupt_stops_a_study)
 {
     Bench *bench = open_bench("supported-beam-coarse", true);

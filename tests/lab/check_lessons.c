@@ -94,8 +94,8 @@ END_TEST
 static const struct {
     const char *text, *says;
 } wrong[] = {
-    {"", "my.lesson: is no lesson (@title and a @page are wanted)"},
-    {"@title x\n", "my.lesson: is no lesson (@title and a @page are wanted)"},
+    {"", "my.lesson: is not a lesson (@title and a @page are wanted)"},
+    {"@title x\n", "my.lesson: is not a lesson (@title and a @page are wanted)"},
     {"text\n", "my.lesson:1: text belongs to a page (@page TITLE)"},
     {"@title\n", "my.lesson:1: @title: something is missing after it"},
     {"@do x\n", "my.lesson:1: @do belongs to a page (@page TITLE)"},
@@ -103,7 +103,8 @@ static const struct {
     {"@titel x\n",
      "my.lesson:1: @titel is not known (@title | @about | @group | @page | @do | @field | @ask | @choice | "
      "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve | @points)"},
-    {"@title x\n@page y\n@field mesh.size\n", "my.lesson:3: mesh.size is no parameter (see: matvib params)"},
+    {"@title x\n@page y\n@field mesh.size\n",
+     "my.lesson:3: mesh.size is not a parameter (see: matvib params)"},
     {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
                                          "crossing | break | touch | event | rest | command NAME "
                                          "| value KEY VALUE)"},
@@ -148,9 +149,9 @@ static const struct {
     {"@title x\n@page y\n@ask a\n@answer error\n",
      "my.lesson:4: @answer: how near is right? (EXPRESSION within NUMBER, or NUMBER %)"},
     {"@title x\n@page y\n@ask a\n@answer error within 0\n",
-     "my.lesson:4: @answer: within 0: is no tolerance (NUMBER > 0, or NUMBER %)"},
+     "my.lesson:4: @answer: within 0: is not a tolerance (NUMBER > 0, or NUMBER %)"},
     {"@title x\n@page y\n@ask a\n@answer error within 2 %%\n",
-     "my.lesson:4: @answer: within 2 %%: is no tolerance (NUMBER > 0, or NUMBER %)"},
+     "my.lesson:4: @answer: within 2 %%: is not a tolerance (NUMBER > 0, or NUMBER %)"},
     {"@title x\n@page y\n@ask a\n@answer eror within 2 %\n",
      "my.lesson:4: @answer: eror is neither a number of a run nor a parameter (see: man 5 matvib)"},
     {"@title x\n@page y\n@do open mode5\n@ask a\n@answer error within 2 %\n@choice b\n",
@@ -171,9 +172,9 @@ static const struct {
     {"@title x\n@page y\n@goal error < 1\n@solve write a\n",
      "my.lesson:4: @solve: write: a lesson may not (it changes the laboratory only)"},
     {"@title x\n@page y\n@variant initial.mode\n",
-     "my.lesson:3: @variant: \"initial.mode\" is no variant (KEY from A to B, KEY from WORD, WORD ...)"},
+     "my.lesson:3: @variant: \"initial.mode\" is not a variant (KEY from A to B, KEY from WORD, WORD ...)"},
     {"@title x\n@page y\n@variant mode from 1 to 2\n",
-     "my.lesson:3: @variant: mode is no parameter (see: matvib params)"},
+     "my.lesson:3: @variant: mode is not a parameter (see: matvib params)"},
     {"@title x\n@page y\n@variant mpm.shape from 1 to 2\n",
      "my.lesson:3: @variant: mpm.shape: 1 is none of its words (see: matvib params)"},
     {"@title x\n@page y\n@variant mpm.shape from hat\n",

@@ -103,7 +103,7 @@ START_TEST(every_key_is_reached)
         Talk *talk = open_talk("mode1");
         char key[COMMAND_KEY_MAX];
         command_first_key(&commands[i], key);
-        if (strcmp(key, ":") != 0) { /* it begins what is no key */
+        if (strcmp(key, ":") != 0) { /* it begins what is not a key */
             const char *said = line(talk, key);
             ck_assert_msg(command_set_has(talk->plain.lab.screen.used, commands[i].id),
                           "%s: its key '%s' says: %s", commands[i].name, key, said);
@@ -215,7 +215,7 @@ START_TEST(strange_lines_do_no_harm)
     session_record(session, "kept.session", false);
     talk->plain.lab.recording = session;
     session_note_start(session, &talk->plain.lab);
-    ck_assert_ptr_nonnull(strstr(line(talk, "fo\xf6"), "no text in UTF-8"));
+    ck_assert_ptr_nonnull(strstr(line(talk, "fo\xf6"), "not text in UTF-8"));
     ck_assert_ptr_nonnull(strstr(line(talk, "tell\twhere"), "step 0"));
     unsigned seed = 1;
     for (int i = 0; i < LINES && !talk->plain.lab.closed; i++) {

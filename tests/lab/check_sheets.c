@@ -189,8 +189,8 @@ static const struct {
     {"sheet = large", "my.ini:6: screen.sheet: large is not allowed (full | plain)"},
     {"about = lateness", "screen.about: lateness is not allowed (error, period_error, late, "},
     {"about = dt", "screen.about: dt is not allowed (error, period_error, late, "},
-    {"ask = mesh.size", "screen.ask: mesh.size is no parameter of problem bar (see: matvib params bar)"},
-    {"ask = bar.length, notch.depth", "screen.ask: notch.depth is no parameter of problem bar"},
+    {"ask = mesh.size", "screen.ask: mesh.size is not a parameter of problem bar (see: matvib params bar)"},
+    {"ask = bar.length, notch.depth", "screen.ask: notch.depth is not a parameter of problem bar"},
     {"ask = bar.length,mesh.cell_size,time.courant,bar.density,initial.mode",
      "screen.ask: names too many (at most 4)"},
 };

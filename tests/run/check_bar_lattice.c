@@ -222,8 +222,8 @@ START_TEST(free_end)
 }
 END_TEST
 
-/* The run starts in a sine, which is no mode of the lattice with a free end: others oscillate along. What the
- * fit finds is near the eigenvalue, far nearer than the endless lattice. */
+/* The run starts in a sine, which is not a mode of the lattice with a free end: others oscillate along. What
+ * the fit finds is near the eigenvalue, far nearer than the endless lattice. */
 START_TEST(free_end_measured)
 {
     const BarTheory bar = theory(true, false, 5);

@@ -240,7 +240,7 @@ START_TEST(columns_are_written_that_are_asked_for)
     ck_assert(!export_run(&settings, &outputs, 1, NULL, NULL, NULL, &status));
     ck_assert_int_eq(status.code, STATUS_USAGE);
     ck_assert_ptr_nonnull(
-        strstr(status.text, "output.columns: u_probe is no column of the series (all, step, "));
+        strstr(status.text, "output.columns: u_probe is not a column of the series (all, step, "));
 }
 END_TEST
 

@@ -314,7 +314,7 @@ START_TEST(a_run_that_comes_to_rest_ends_there)
 }
 END_TEST
 
-/* What fails as a run is no fit: it says where, and ends. */
+/* What fails as a run is not a fit: it says where, and ends. */
 START_TEST(a_run_that_fails_is_told)
 {
     static const char *const wild[][2] = {
@@ -471,7 +471,7 @@ START_TEST(what_cannot_be_fitted_is_refused)
     load(&settings);
     FitTask task = task_of(&settings);
     task.keys[1] = "mpm.shape";
-    refused(task, "mpm.shape: is no real number");
+    refused(task, "mpm.shape: is not a real number");
     task.keys[1] = "beam.length";
     refused(task, "beam.length: this run has no such parameter");
     task.keys[1] = task.keys[0];

@@ -91,7 +91,7 @@ static const char *const bad[][2] = {
     {"particle -1 v", "\"particle -1 v\" is nothing to follow"},
     {"particle +1 v", "\"particle +1 v\" is nothing to follow"},
     {"particle 50 v", "there is no particle 50 (0 to 49)"},
-    {"particle 12 colour", "colour is no field of a particle (x0 |"},
+    {"particle 12 colour", "colour is not a field of a particle (x0 |"},
 };
 
 START_TEST(what_is_not_there_is_refused)

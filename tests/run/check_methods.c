@@ -40,7 +40,7 @@ START_TEST(each_method_has_its_keys)
     Settings mpm = bar_settings(1, 1), pd = bar_of_bonds(1, 1);
     Status status = {0};
     ck_assert(!settings_set(&mpm, "pd.horizon", "2", &status));
-    ck_assert_str_eq(status.text, "pd.horizon: is no parameter of method mpm (only of pd)");
+    ck_assert_str_eq(status.text, "pd.horizon: is not a parameter of method mpm (only of pd)");
     ck_assert(!settings_set(&pd, "mpm.algorithm", "usl", &status));
     ck_assert(!settings_set(&pd, "mesh.padding", "2", &status));
     ck_assert(!settings_set(&pd, "pd.horizon", "0", NULL) || lattice_horizon(&pd) == 1.5);
@@ -72,7 +72,7 @@ START_TEST(a_scenario_goes_over_to_the_other_method)
     ck_assert_msg(scenario_load_with("crossing", by_pd, 2, &settings, &status), "%s", status.text);
     ck_assert(settings.method == METHOD_PD && settings_lattice(&settings)->horizon == 2);
     ck_assert(!scenario_load_with("crossing", wrong, 2, &settings, &status));
-    ck_assert_str_eq(status.text, "--set: mpm.shape: is no parameter of method pd (only of mpm)");
+    ck_assert_str_eq(status.text, "--set: mpm.shape: is not a parameter of method pd (only of mpm)");
     /* how it is solved may be left behind, what is solved may not */
     static const struct {
         const char *scenario, *method, *refusal;

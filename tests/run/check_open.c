@@ -300,7 +300,7 @@ START_TEST(a_parameter_is_written_and_read)
     Status status;
     set(&settings, "scenario.method", "pd");
     ck_assert(!settings_set(&settings, "mpm.damping", "1", &status));
-    ck_assert_str_eq(status.text, "mpm.damping: is no parameter of method pd (only of mpm)");
+    ck_assert_str_eq(status.text, "mpm.damping: is not a parameter of method pd (only of mpm)");
 }
 END_TEST
 
@@ -324,7 +324,7 @@ START_TEST(a_problem_is_solved)
     ck_assert_double_eq(settings_time(&settings)->end, 1);
     Status status;
     ck_assert(!settings_set(&settings, "bar.length", "1", &status));
-    ck_assert_str_eq(status.text, "bar.length: is no parameter of problem membrane (only of bar)");
+    ck_assert_str_eq(status.text, "bar.length: is not a parameter of problem membrane (only of bar)");
     Experiment *experiment = open_experiment(&settings, 1 << 20);
     ck_assert(experiment_advance(experiment, 1000000, NULL));
     ck_assert(experiment_at_end(experiment) && experiment_record(experiment)->count > 2);

@@ -150,14 +150,14 @@ START_TEST(wrong_values_are_refused)
     expect_refused(&bar, "bar.cell_size", "1", "bar.cell_size: unknown key (did you mean mesh.cell_size?)");
     expect_refused(&bar, "zebra", "1", "zebra: unknown key (see: matvib params bar)");
     expect_refused(&bar, "notch.depth", "1",
-                   "notch.depth: is no parameter of problem bar (only of notched-beam)");
+                   "notch.depth: is not a parameter of problem bar (only of notched-beam)");
     expect_refused(&bar, "scenario.problem", "bar",
                    "scenario.problem: cannot be changed (choose another scenario)");
     expect_refused(&bar, "scenario.title", "two\nlines",
                    "scenario.title: has characters that cannot be kept (one line of UTF-8)");
     expect_refused(&notched, "supports.pinned", "true", "supports.pinned: true is not a choice (no | yes)");
     expect_refused(&notched, "load.traction_layer", "auto",
-                   "load.traction_layer: is no parameter of problem notched-beam (only of bar)");
+                   "load.traction_layer: is not a parameter of problem notched-beam (only of bar)");
     expect_refused(&notched, "time.step", "-1", "time.step: -1 is out of range (auto | > 0)");
 }
 END_TEST

@@ -228,21 +228,21 @@ START_TEST(what_is_refused)
     settings_default(&bonds, &problem_supported_beam);
     settings_default(&notched, &problem_notched_beam);
     expect_refused(bonds, "beam.poisson", "0.2", "bonds pull along their own line alone");
-    expect_refused(bonds, "mesh.cell_size", "1e-3", "no parameter of method pd (only of mpm)");
+    expect_refused(bonds, "mesh.cell_size", "1e-3", "not a parameter of method pd (only of mpm)");
     expect_refused(notched, "scenario.method", "mpm", "nothing breaks");
-    expect_refused(beam, "mpm.transfer", "apic", "no parameter of problem simply-supported-beam");
+    expect_refused(beam, "mpm.transfer", "apic", "not a parameter of problem simply-supported-beam");
     expect_refused(beam, "mpm.shape", "bspline3", "is for bars");
-    expect_refused(beam, "pd.spacing", "1e-3", "no parameter of method mpm (only of pd)");
-    expect_refused(beam, "time.step", "1e-8", "no parameter of method mpm (only of pd)");
+    expect_refused(beam, "pd.spacing", "1e-3", "not a parameter of method mpm (only of pd)");
+    expect_refused(beam, "time.step", "1e-8", "not a parameter of method mpm (only of pd)");
     expect_refused(beam, "mesh.cell_size", "1e-3", "must be an even number of cells");
-    expect_refused(beam, "mesh.velocity", "1", "no parameter of problem simply-supported-beam");
+    expect_refused(beam, "mesh.velocity", "1", "not a parameter of problem simply-supported-beam");
     expect_refused(beam, "time.courant", "1.8", "is unstable on this mesh (at most 1.7");
     expect_refused(beam, "beam.poisson", "0.5", "0.499");
     Settings last = beam; /* whose limit is lower, and is asked for from lower on */
     settings_edit_transfer(&last)->algorithm = MPM_USL;
     expect_refused(last, "time.courant", "0.9", "is unstable on this mesh (at most 0.");
     expect_refused(moving, "mesh.velocity", "11", "out of range (0 to motion.speed = 10)");
-    expect_refused(moving, "supports.ends", "point", "no parameter of problem moving-cantilever");
+    expect_refused(moving, "supports.ends", "point", "not a parameter of problem moving-cantilever");
     expect_refused(moving, "motion.channel", "1.25e-3", "too short for time.end");
 }
 END_TEST

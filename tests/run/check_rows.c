@@ -284,7 +284,7 @@ START_TEST(a_row_that_is_asked_about_is_there)
         {"loads.top.s", "screen.ask: loads.top.s: a load has no such number (from, to, sx, sy, ramp, until)"},
         {"loads.edge", "screen.ask: loads.edge: a load has no such number ("},
         {"probe.z", "screen.ask: probe.z: a probe has no such number (x, y)"},
-        {"probe", "screen.ask: probe is no parameter of problem plate (see: matvib params plate)"},
+        {"probe", "screen.ask: probe is not a parameter of problem plate (see: matvib params plate)"},
         {"loads.", "screen.ask: loads: there is no load of that name (top)"},
         {"loads.a-name-that-is-longer-than-any.sy", "screen.ask: loads.a-name-"},
     };

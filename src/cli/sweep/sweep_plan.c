@@ -71,7 +71,7 @@ static bool read_range(SweepKey *key, const char *text, Status *status)
     long count;
     if (!split_range(text, parts) || !text_to_double(parts[0], &low) || !text_to_double(parts[1], &high) ||
         !text_to_long(parts[2], &count) || count < 2 || count > SWEEP_COMBINATIONS_MAX)
-        return status_refuse(status, "%s: %s: %.60s is no range (LO:HI:N, N from 2 to %d)", key->origin,
+        return status_refuse(status, "%s: %s: %.60s is not a range (LO:HI:N, N from 2 to %d)", key->origin,
                              key->key, text, SWEEP_COMBINATIONS_MAX);
     for (long i = 0; i < count; i++) {
         const NumberText value = text_rounded(low + (high - low) * (double)i / (double)(count - 1), 12);

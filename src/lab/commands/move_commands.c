@@ -144,7 +144,7 @@ void command_enter(Laboratory *lab)
     }
 }
 
-/* Whoever magnified a plot from the parameters is back there. */
+/* A plot that was magnified from the parameters gives the focus back to them. */
 void command_zoom_out(Screen *screen)
 {
     PanesShown *panes = &screen->panes;

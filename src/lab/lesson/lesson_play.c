@@ -374,7 +374,7 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
         return false;
     if (!page)
         return list_key(lab, key->name);
-    /* while a question is open a digit answers it, and changes no view even where it is no choice */
+    /* while a question is open a digit answers it, and changes no view even where it is not a choice */
     if (page->n_choices > 0 && shown->answer < 0 && digit >= 0) {
         if (digit < page->n_choices)
             take_answer(lab, digit);

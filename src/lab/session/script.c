@@ -140,7 +140,7 @@ static bool do_key(Script *script, const ScriptInstruction *row, char *rest, Sta
     for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
         if (!keys_known(name))
             return status_refuse(
-                status, "key: %.40s is no key (a character, Space, Enter, Esc, Up, F1, ^C, ...)", name);
+                status, "key: %.40s is not a key (a character, Space, Enter, Esc, Up, F1, ^C, ...)", name);
         else if (!press(script, name, KEY_SECONDS, status))
             return false;
     return true;

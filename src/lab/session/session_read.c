@@ -209,10 +209,10 @@ static bool read_scenario(Session *session, const char *name, const char *text, 
     if (is_foreign(session))
         return true;
     if (size == 0)
-        return status_refuse(status, "%s: is no session (its scenario is missing)", name);
+        return status_refuse(status, "%s: is not a session (its scenario is missing)", name);
     if (!*session->program)
-        return status_refuse(status, "%s: is no session of matvib " PACKAGE_VERSION " (it names no version)",
-                             name);
+        return status_refuse(
+            status, "%s: is not a session of matvib " PACKAGE_VERSION " (it names no version)", name);
     FILE *memory = fmemopen((void *)text, size, "r");
     char origin[SESSION_NAME_MAX];
     snprintf(origin, sizeof origin, "%.200s (scenario)", name);

@@ -32,7 +32,7 @@ static bool change_method(Mpm *mpm, const char *key, double value, Status *statu
     if (algorithm || transfer) {
         int last = algorithm ? MPM_MUSL : MPM_FMPM;
         if (!(value >= 0 && value <= last && value == floor(value)))
-            return status_refuse(status, "%s: %g is no choice (0 to %d)", key, value, last);
+            return status_refuse(status, "%s: %g is not a choice (0 to %d)", key, value, last);
         if (algorithm)
             def.algorithm = (MpmAlgorithm)value;
         else
@@ -78,7 +78,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     if (!load)
         return status_refuse(status, "%s: cannot be changed in mid-run", key);
     if (!isfinite(value))
-        return status_refuse(status, "%s: %g is no finite number", key, value);
+        return status_refuse(status, "%s: %g is not a finite number", key, value);
     *load = value;
     mpm_take_schedule(mpm);
     return true;
@@ -219,7 +219,7 @@ static bool begin(Mpm *mpm, Status *status)
         return false;
     mpm->energy_start = mpm_energy(mpm);
     if (!isfinite(mpm->energy_start))
-        return status_refuse(status, "initial.velocity: the kinetic energy is no finite number");
+        return status_refuse(status, "initial.velocity: the kinetic energy is not a finite number");
     return true;
 }
 

@@ -10,7 +10,7 @@
 bool mpm_positive(double value, const char *key, Status *status)
 {
     return (value > 0.0 && isfinite(value)) ||
-           status_refuse(status, "%s: %g is no positive number", key, value);
+           status_refuse(status, "%s: %g is not a positive number", key, value);
 }
 
 bool mpm_within(int value, int low, int high, const char *key, Status *status)
@@ -21,7 +21,7 @@ bool mpm_within(int value, int low, int high, const char *key, Status *status)
 
 static bool finite_number(double value, const char *key, Status *status)
 {
-    return isfinite(value) || status_refuse(status, "%s: %g is no finite number", key, value);
+    return isfinite(value) || status_refuse(status, "%s: %g is not a finite number", key, value);
 }
 
 /* The second material, if there is one. */
@@ -34,7 +34,7 @@ static bool check_joint(const BarDef *def, Status *status)
         !(fabs(cells - round(cells)) <= 1e-9 * fmax(cells, 1.0)) || cells < 0.5)
         return status_refuse(
             status,
-            "bar2.joint: %g is no node inside the bar (0, or a whole number of cells less than "
+            "bar2.joint: %g is not a node inside the bar (0, or a whole number of cells less than "
             "the length %g)",
             def->joint, def->length);
     return mpm_positive(def->joint_modulus, "bar2.youngs_modulus", status) &&

@@ -180,7 +180,7 @@ bool bar_mistake_check(const BarDef *def, bool in_plane, Status *status)
         return true;
     const BarMistake *row = def->mistake_beside != 0 ? &both : mistake_of(def->mistake);
     if (!row)
-        return status_refuse(status, "mpm.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
+        return status_refuse(status, "mpm.mistake: %d is not a choice (0 to %d)", def->mistake, MISTAKES);
     const unsigned only = row->only;
     const char *other = (only & (ONLY_LINE | ONLY_APIC)) && in_plane       ? "bars"
                         : (only & ONLY_USF) && def->algorithm != MPM_USF   ? "mpm.algorithm = usf"

@@ -150,7 +150,7 @@ static bool begin(Mpm *mpm, Status *status)
             mpm->plane.amplitude);
     mpm->energy_start = mpm_energy(mpm);
     return isfinite(mpm->energy_start) ||
-           status_refuse(status, "initial.amplitude: the energy is no finite number");
+           status_refuse(status, "initial.amplitude: the energy is not a finite number");
 }
 
 /* --- made and changed ------------------------------------------------------------------------------- */
@@ -162,7 +162,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     ASSERT_INT(sim->stage, ==, 0);
     if (strcmp(key, "mpm.algorithm") == 0) {
         if (!(value >= 0 && value <= MPM_MUSL && value == floor(value)))
-            return status_refuse(status, "%s: %g is no choice (0 to %d)", key, value, MPM_MUSL);
+            return status_refuse(status, "%s: %g is not a choice (0 to %d)", key, value, MPM_MUSL);
         mpm->head->algorithm = (MpmAlgorithm)value;
     } else if (strcmp(key, "mpm.flip_fraction") == 0) {
         if (!(value >= 0 && value <= 1))

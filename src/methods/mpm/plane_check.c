@@ -47,7 +47,7 @@ static bool check_numbers(const PlaneDef *def, Status *status)
            ((def->flip_fraction >= 0 && def->flip_fraction <= 1) ||
             status_refuse(status, "mpm.flip_fraction: %g is out of range (0 to 1)", def->flip_fraction)) &&
            (isfinite(def->amplitude) ||
-            status_refuse(status, "initial.amplitude: %g is no finite number", def->amplitude)) &&
+            status_refuse(status, "initial.amplitude: %g is not a finite number", def->amplitude)) &&
            mpm_positive(def->courant, "time.courant", status) && mpm_positive(def->end, "time.end", status);
 }
 

@@ -51,7 +51,7 @@ size_t plane_null_numbers(const Mpm *mpm)
     return 2 * nodes + 2 * (size_t)(mpm->support * rows) * stride + bytes / sizeof(double) + 2;
 }
 
-/* Some milliseconds a row at most; beyond, kinetic_null is no column of the series. */
+/* Some milliseconds a row at most; beyond, kinetic_null is not a column of the series. */
 bool plane_null_pays(const Mpm *mpm)
 {
     const double rows = mpm->nyp / mpm->plane.particles_per_cell, width = width_of(mpm, (int)rows + 2);

@@ -567,7 +567,7 @@ bool mpm_op_of_nodes(MpmOp op)
            op == OP_FIX_AGAIN;
 }
 
-/* What of a stage is done before its first item: sums begin at 0. */
+/* Done before the first item of a stage: sums begin at 0. */
 void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 {
     const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);

@@ -60,9 +60,9 @@ static bool check_name(const RowKind *kind, const char *name, const char *about,
     if (!has_names(kind))
         return !*name || status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
     if (kind->plain_names && !(*name >= 'a' && *name <= 'z' && !strpbrk(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ-")))
-        return status_refuse(status,
-                             "%s: this is no name for a %s (a letter a to z, then a to z, 0 to 9 and _)",
-                             about, kind->one);
+        return status_refuse(
+            status, "%s: is not allowed as the name of a %s (a letter a to z, then a to z, 0 to 9 and _)",
+            about, kind->one);
     if (*name && strlen(name) < ROW_NAME_MAX && name[strspn(name, letters)] == '\0')
         return true;
     return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", about,

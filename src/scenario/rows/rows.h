@@ -145,7 +145,7 @@ double settings_row_number(const Settings *, const char *key);
  * none. */
 void settings_row_key_show(const Settings *, const char *key, char out[ROW_TEXT_MAX]);
 
-/* What of the rows a key of screen.ask stands for: "loads.top" a row, "loads.top.sy" one value of it,
+/* The row or value that a key of screen.ask names: "loads.top" a row, "loads.top.sy" one value of it,
  * "loads.sy" that value of all loads, which change by one factor. */
 typedef struct RowPlace {
     int kind, row; /* of all rows the first whose value is there and not 0 */

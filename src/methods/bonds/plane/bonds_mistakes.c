@@ -117,7 +117,7 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
         return true;
     const BondsMistake *row = bonds_mistake_of(def->mistake, def->mistake_beside, &both);
     if (!row)
-        return status_refuse(status, "pd.mistake: %d is no choice (0 to %d)", def->mistake, MISTAKES);
+        return status_refuse(status, "pd.mistake: %d is not a choice (0 to %d)", def->mistake, MISTAKES);
     const bool hhb = def->volume_correction == VOLUME_HHB &&
                      mistake_does(row, BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR);
     const bool stepped = def->stepping != STEPPING_VERLET &&
