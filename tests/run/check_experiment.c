@@ -490,7 +490,7 @@ START_TEST(changes_in_mid_run_hold_on_any_way)
                                     {"load.stress", "4e8"},
                                     {"pd.critical_stretch", "0.0005"},
                                     {"pd.critical_stretch", "0.0002"}};
-    const int moves = suite_sanitized() ? 30 : 100;
+    const int moves = suite_sanitized() ? 60 : 100;
     Settings settings = bar_settings(5, 5);
     walk_with_changes(&settings, bar, sizeof bar / sizeof *bar, 16 * MEGABYTE, moves, 11);
     set(&settings, "mpm.shape", "gimp");
