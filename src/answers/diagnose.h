@@ -28,7 +28,7 @@ typedef struct DiagnoseColumn {
     double factor;               /* theirs times it is in our units */
     double scale;                /* that of the reading alone: a sign, a unit, a mass */
     double natural;              /* the largest number of this unit at t = 0, in our units */
-    double terms; /* theirs are differences of numbers of single precision so large; 0: they are not */
+    double terms; /* size of the single-precision numbers whose differences it holds, as x - x0; 0: none */
     bool silent;  /* it is empty, zero, or copied: it tells nothing */
 } DiagnoseColumn;
 

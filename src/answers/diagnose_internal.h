@@ -129,7 +129,7 @@ typedef struct Search {
     double *values;    /* of the right run */
     double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
-    size_t own;        /* entries in which the right code agrees of the scheme whose mistakes are tried */
+    size_t own;        /* entries that agree with the right code of the scheme whose mistakes are tried */
     Settings by_first; /* of the first code that explains it all; without one the right ones */
     double until;      /* of the clock: DiagnoseTask.seconds */
     Settings of_first; /* the right code of its scheme */
@@ -177,8 +177,8 @@ bool diagnose_is_still(const Search *, int column);
  * numbers of it. */
 bool diagnose_is_single(const DiagnoseTable *);
 
-/* How large numbers of single precision are whose differences a column holds, as x - x0: whole multiples of a
- * power of two that is far above their own last digits. 0: it holds no such. */
+/* The size of the single-precision numbers whose differences a column holds, as x - x0: its numbers are whole
+ * multiples of a power of two that is far above their own last digits. 0: it holds no such differences. */
 double diagnose_terms(const Overlay *, int column);
 
 /* The most digits of any column. */

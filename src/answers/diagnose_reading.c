@@ -511,8 +511,8 @@ static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
     return reading;
 }
 
-/* Whether the first row may be after the step that its time is of: the row of step 0 is not the start, or
- * times are of half steps. */
+/* Whether rows may carry the time before their step: the row of step 0 is not the start, or times are those
+ * of half steps. */
 static bool begins_later(const Trials *trials, double factor, double dt)
 {
     const DiagnoseTable *table = trials->search->table;

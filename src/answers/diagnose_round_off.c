@@ -14,12 +14,8 @@
  * noise of the eleventh digit. */
 bool diagnose_is_single(const DiagnoseTable *table)
 {
-    enum {
-        DIGITS = 8,
-        DIGITS_MOST = 11,
-        LEAST = 10,
-        ENTRIES = 5
-    }; /* any number is one in a case of ten for each digit more */
+    /* of ten numbers one is single by chance, for each digit above seven */
+    enum { DIGITS = 8, DIGITS_MOST = 11, LEAST = 10, ENTRIES = 5 };
     size_t counted = 0, entries = 0;
     for (int c = 0; c < table->n_columns; c++) {
         const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
