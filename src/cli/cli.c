@@ -51,6 +51,7 @@ const CliCommand cli_commands[] = {
      NULL, NULL},
     {"list", "[SCENARIO]", "the built-in scenarios; of one its title and what it is about", cli_list, 0, 1,
      NULL, NULL, NULL},
+    {"describe", "SCENARIO", "a scenario's title and what it is about", cli_list, 1, 1, NULL, NULL, NULL},
     {"show", "SCENARIO", "the resolved scenario as a file, derived values as comments", cli_show, 1, 1, NULL,
      NULL, NULL},
     {"params", "[PROBLEM|SCENARIO]", "the parameters: value, unit, what is allowed, meaning", cli_params, 0,

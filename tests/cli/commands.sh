@@ -45,6 +45,10 @@ refuse "a letter that has none" '-q: takes no value' run mode1 -qo
 expect "list" 0 list
 result "all built-ins with titles" test "$(awk 'NF > 2' out | wc -l)" -eq "$(ls "$MATVIB_SRCDIR"/data/scenarios/*.ini | wc -l)"
 cut -d' ' -f1 out >names
+expect "describe" 0 describe mode1
+cp out described
+expect "list of one" 0 list mode1
+result "says the same" cmp out described
 result "the first is mode1" test "$(head -n 1 names)" = mode1
 
 # what show prints is a scenario file that comes to the same
