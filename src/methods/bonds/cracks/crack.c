@@ -53,12 +53,12 @@ static bool is_cracked(const Beam *beam, const Region *region, int i, int j)
     return x >= region->low && x <= region->high;
 }
 
-/* sum phi x / sum phi over the row's cracked nodes. False: there are none. */
+/* sum phi x / sum phi over the row's cracked nodes. False: there are none, or the row is the notch's. */
 static bool row_centre(const Beam *beam, int j, double *centre)
 {
     const Region region = region_of(beam);
     double sum = 0, weights = 0;
-    for (int i = region.from; i < region.end; i++)
+    for (int i = region.from; is_above_notch(beam, j) && i < region.end; i++)
         if (is_cracked(beam, &region, i, j)) {
             double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
             sum += damage * lattice_x(&beam->lattice, i);
@@ -73,10 +73,9 @@ size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
     ASSERT(max == 0 || (x && y));
     const Beam *beam = notched(sim);
     size_t n = 0;
-    for (int j = 0; beam && j < beam->lattice.ny && n < max; j++) {
-        if (is_above_notch(beam, j) && row_centre(beam, j, &x[n]))
+    for (int j = 0; beam && j < beam->lattice.ny && n < max; j++)
+        if (row_centre(beam, j, &x[n]))
             y[n++] = lattice_y(&beam->lattice, j);
-    }
     return n;
 }
 
@@ -110,7 +109,7 @@ static double path_length(const Beam *beam)
     double x = beam->def.notch_position, y = beam->def.notch_depth, length = 0;
     for (int j = 0; j < beam->lattice.ny; j++) {
         double next_y = lattice_y(&beam->lattice, j), next_x;
-        if (!is_above_notch(beam, j) || !row_centre(beam, j, &next_x))
+        if (!row_centre(beam, j, &next_x))
             continue;
         length += math_hypot(next_x - x, next_y - y);
         x = next_x;
@@ -216,19 +215,14 @@ double crack_angle(const Simulation *sim, double height)
     if (!beam)
         return NAN;
     double low = beam->def.notch_depth + beam->def.horizon, tolerance = 1e-6 * beam->lattice.spacing;
-    double n = 0, sx = 0, sy = 0, sxy = 0, syy = 0;
+    FittedLine line = {0};
     for (int j = 0; j < beam->lattice.ny; j++) {
         double y = lattice_y(&beam->lattice, j), x;
         if (y < low - tolerance || y > low + height + tolerance || !row_centre(beam, j, &x))
             continue;
-        n += 1;
-        sx += x;
-        sy += y;
-        sxy += x * y;
-        syy += y * y;
+        line_add(&line, y, x);
     }
-    double spread = n * syy - sy * sy;
-    return n < 2 ? NAN : math_atan((n * sxy - sx * sy) / spread) * 180 / M_PI;
+    return math_atan(line_slope(&line)) * 180 / M_PI;
 }
 
 /* The speed of the crack's tip from its places, and Rayleigh's speed to compare it with. In plane stress with

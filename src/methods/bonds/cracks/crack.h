@@ -9,6 +9,7 @@
 
 #include "methods/method.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -42,6 +43,22 @@ double crack_angle(const Simulation *beam, double height);
 
 /* The path: at most `max` rows from the notch's end upwards, x and y of each; returns how many there are. */
 size_t crack_path(const Simulation *beam, double *x, double *y, size_t max);
+
+/* y = a + b x by least squares, gathered pair by pair; the slope b is NAN with fewer than two. */
+typedef struct FittedLine {
+    double n, x, y, xx, xy;
+} FittedLine;
+
+static inline void line_add(FittedLine *line, double x, double y)
+{
+    line->n += 1, line->x += x, line->y += y, line->xx += x * x, line->xy += x * y;
+}
+
+static inline double line_slope(const FittedLine *line)
+{
+    return line->n < 2 ? NAN
+                       : (line->n * line->xy - line->x * line->y) / (line->n * line->xx - line->x * line->x);
+}
 
 /* How fast a crack runs, beside how fast it can: no crack that is pulled open outruns the surface wave of its
  * own edges (Rayleigh's). SI units. */

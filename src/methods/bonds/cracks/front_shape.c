@@ -4,6 +4,7 @@
 
 #include "base/assertion.h"
 #include "base/math/functions.h"
+#include "methods/bonds/cracks/crack.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -129,22 +130,6 @@ void front_find_tips(const Growth *growth, int f)
     }
 }
 
-/* y = a + b x by least squares, gathered pair by pair. */
-typedef struct Line {
-    double n, x, y, xx, xy;
-} Line;
-
-static void line_add(Line *line, double x, double y)
-{
-    line->n += 1, line->x += x, line->y += y, line->xx += x * x, line->xy += x * y;
-}
-
-static double line_slope(const Line *line)
-{
-    return line->n < 2 ? NAN
-                       : (line->n * line->xy - line->x * line->y) / (line->n * line->xx - line->x * line->x);
-}
-
 /* The damage-weighted centre of a front's cracked nodes on a line; NAN: there are none. */
 static double line_centre(const Growth *growth, int f, int line)
 {
@@ -187,7 +172,7 @@ double crack_fronts_angle(const CrackFront *front, double reach)
     const double one =
                      front->branched ? fabs(front->branch[front->axis] - front->end[front->axis]) : INFINITY,
                  last = fmin(front->beside + reach, one);
-    Line fit = {0};
+    FittedLine fit = {0};
     for (size_t k = 0; k < front->n_lines; k++)
         if (front->away[k] >= front->beside * (1 - 1e-9) && front->away[k] <= last * (1 + 1e-9))
             line_add(&fit, front->sign * front->away[k], front->centre[k]);
@@ -210,7 +195,7 @@ static double half_angle(const Growth *growth, int f, int from)
     const Beam *beam = growth->beam;
     const CrackFront *front = &growth->fronts->fronts[f];
     Group groups[FRONT_GROUPS_MAX];
-    Line low = {0}, high = {0};
+    FittedLine low = {0}, high = {0};
     const int lines = front_lines(beam, 1 - front->axis) / 4;
     for (int k = 0; k < lines; k++) {
         const int line = from + k * front->sign;

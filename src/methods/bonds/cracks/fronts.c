@@ -106,22 +106,12 @@ static bool sort_breaks(Growth *growth)
     return true;
 }
 
-static double weight_of_family(const Beam *beam, size_t node)
-{
-    const size_t nx = (size_t)beam->lattice.nx;
-    BondPlace family[FAMILY_MAX];
-    const size_t n = beam_family(beam, (int)(node % nx), (int)(node / nx), family);
-    double all = 0;
-    for (size_t k = 0; k < n; k++)
-        all += beam->lattice.offsets[family[k].offset].weight;
-    return all;
-}
-
 /* One bond of a node is gone; returns the share of its family that is. */
 static double weaken(Growth *growth, size_t node, double weight)
 {
+    double broken;
     if (growth->all[node] == 0)
-        growth->all[node] = weight_of_family(growth->beam, node);
+        growth->all[node] = beam_family_weight(growth->beam, node, 0, &broken);
     growth->broken[node] += weight;
     return growth->broken[node] / growth->all[node];
 }
@@ -132,7 +122,6 @@ static bool gather(Growth *growth)
 {
     const Beam *beam = growth->beam;
     const Lattice *lattice = &beam->lattice;
-    const size_t nx = (size_t)lattice->nx;
     size_t room = 0;
     for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
         for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++) {
@@ -140,7 +129,6 @@ static bool gather(Growth *growth)
                 continue;
             const size_t slot = 8 * byte + bit;
             const BondPlace place = lattice_slot_place(lattice, slot);
-            const Offset *offset = &lattice->offsets[place.offset];
             const bool of_cut = beam->notched[byte] >> bit & 1;
             if (growth->n_breaks == room) {
                 room = room ? 2 * room : 1024;
@@ -151,11 +139,11 @@ static bool gather(Growth *growth)
             }
             if (!of_cut && beam->broken_at[slot] > beam->sim.step)
                 continue; /* in the step that has begun */
-            growth->breaks[growth->n_breaks++] = (Break){
-                .step = of_cut ? OF_CUT : beam->broken_at[slot],
-                .nodes = {(uint32_t)((size_t)place.j * nx + (size_t)place.i),
-                          (uint32_t)((size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p))},
-                .weight = offset->weight};
+            size_t ends[2];
+            lattice_ends(lattice, place, ends);
+            growth->breaks[growth->n_breaks++] = (Break){.step = of_cut ? OF_CUT : beam->broken_at[slot],
+                                                         .nodes = {(uint32_t)ends[0], (uint32_t)ends[1]},
+                                                         .weight = lattice->offsets[place.offset].weight};
         }
     if (!sort_breaks(growth))
         return false;
@@ -220,18 +208,16 @@ static void take_round(Growth *growth, int32_t step, size_t *count)
         }
     for (size_t k = first; k < growth->n_cracks; k++) {
         BondPlace family[FAMILY_MAX];
-        const uint32_t node = growth->cracks[k].node, nx = (uint32_t)lattice->nx;
-        const size_t n = beam_family(growth->beam, (int)(node % nx), (int)(node / nx), family);
+        const uint32_t node = growth->cracks[k].node;
+        const size_t n = beam_family_of(growth->beam, node, family);
         for (size_t b = 0; b < n; b++) {
-            const Offset *offset = &lattice->offsets[family[b].offset];
-            const uint32_t owner = (uint32_t)family[b].j * nx + (uint32_t)family[b].i,
-                           other =
-                               (uint32_t)(family[b].j + offset->q) * nx + (uint32_t)(family[b].i + offset->p),
-                           near = owner == node ? other : owner;
+            size_t ends[2];
+            lattice_ends(lattice, family[b], ends);
+            const size_t near = ends[ends[0] == node];
             if (growth->cracked[near] != NODE_CRACKED || growth->front_of[near] != FRONT_NONE)
                 continue;
             growth->cracked[near] = NODE_ASKED;
-            growth->next[n_next++] = near;
+            growth->next[n_next++] = (uint32_t)near;
         }
     }
     uint32_t *asked = growth->asked;
@@ -407,37 +393,33 @@ static bool work_out(Growth *growth)
     return true;
 }
 
+/* Where each array is in the block, NULL: nowhere yet; returns the bytes of all. */
+static size_t lay_out(Growth *growth, char *block, size_t nodes, size_t lines)
+{
+    size_t used = 0;
+    growth->cracks = beam_piece(block, &used, nodes * sizeof *growth->cracks);
+    growth->all = beam_piece(block, &used, nodes * sizeof *growth->all);
+    growth->broken = beam_piece(block, &used, nodes * sizeof *growth->broken);
+    growth->asked = beam_piece(block, &used, nodes * sizeof *growth->asked);
+    growth->next = beam_piece(block, &used, nodes * sizeof *growth->next);
+    growth->front_of = beam_piece(block, &used, nodes);
+    growth->cracked = beam_piece(block, &used, nodes);
+    growth->found = beam_piece(block, &used, nodes);
+    growth->split = beam_piece(block, &used, lines * sizeof *growth->split);
+    growth->touched = beam_piece(block, &used, lines * sizeof *growth->touched);
+    growth->is_touched = beam_piece(block, &used, lines);
+    return used;
+}
+
 static bool measure(CrackFronts *fronts, const Beam *beam)
 {
-    const size_t nodes = lattice_nodes(&beam->lattice);
     const int nx = beam->lattice.nx, ny = beam->lattice.ny;
     Growth growth = {.beam = beam, .fronts = fronts, .lines = nx > ny ? nx : ny};
-    growth.front_of = malloc(nodes);
-    growth.cracked = calloc(nodes, 1);
-    growth.cracks = malloc(nodes * sizeof *growth.cracks);
-    growth.asked = malloc(nodes * sizeof *growth.asked);
-    growth.next = malloc(nodes * sizeof *growth.next);
-    growth.found = malloc(nodes);
-    growth.all = calloc(nodes, sizeof *growth.all);
-    growth.broken = calloc(nodes, sizeof *growth.broken);
-    const size_t lines = (size_t)fronts->count * (size_t)growth.lines;
-    growth.split = malloc(lines * sizeof *growth.split);
-    growth.touched = malloc(lines * sizeof *growth.touched);
-    growth.is_touched = calloc(lines, 1);
-    const bool sound = growth.front_of && growth.cracked && growth.cracks && growth.asked && growth.next &&
-                       growth.found && growth.all && growth.broken && growth.split && growth.touched &&
-                       growth.is_touched && work_out(&growth);
-    free(growth.front_of);
-    free(growth.cracked);
-    free(growth.cracks);
-    free(growth.asked);
-    free(growth.next);
-    free(growth.found);
-    free(growth.all);
-    free(growth.broken);
-    free(growth.split);
-    free(growth.touched);
-    free(growth.is_touched);
+    const size_t nodes = lattice_nodes(&beam->lattice), lines = (size_t)fronts->count * (size_t)growth.lines;
+    char *block = calloc(1, lay_out(&growth, NULL, nodes, lines));
+    lay_out(&growth, block, nodes, lines);
+    const bool sound = block && work_out(&growth);
+    free(block);
     free(growth.breaks);
     return sound;
 }

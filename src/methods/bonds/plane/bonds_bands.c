@@ -83,43 +83,24 @@ void beam_add_halos(Beam *beam, int j)
     }
 }
 
-/* All bonds that the rows of a band own; its breaks go to the band's own log. */
-static void bonds_of_band(Beam *beam, int band, int worker, bool with_energy)
-{
-    BondLog *log = &beam->band_logs[band];
-    log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
-    for (int j = beam->band_first[band]; j < beam->band_first[band + 1]; j++)
-        beam_bonds_of_row(beam, j, log, with_energy);
-}
-
-static void bonds_chunk(void *context, int band, int worker)
-{
-    bonds_of_band(context, band, worker, false);
-}
-
-static void bonds_and_energy_chunk(void *context, int band, int worker)
-{
-    bonds_of_band(context, band, worker, true);
-}
-
 /* Whether the building goes on; asked by the thread that builds, and heard by all. */
 static bool is_wanted(Beam *beam, int worker)
 {
-    return worker == 0 ? beam_go_on(beam, beam->built, NULL) : !beam->given_up;
+    return !beam->asks || (worker == 0 ? beam_go_on(beam, beam->built, NULL) : !beam->given_up);
 }
 
-/* As bonds_chunk, but asking row by row whether the beam is still wanted: on a large lattice one evaluation
- * takes seconds. */
-static void asking_bonds_chunk(void *context, int band, int worker)
+/* All bonds that the rows of a band own; its breaks go to the band's own log. Row by row it is asked whether
+ * a beam in building is still wanted: on a large lattice one evaluation takes seconds. */
+static void bonds_of_band(void *context, int band, int worker)
 {
     Beam *beam = context;
     BondLog *log = &beam->band_logs[band];
     log->scratch = beam->scratch + (size_t)worker * BONDS_SCRATCH;
     for (int j = beam->band_first[band]; j < beam->band_first[band + 1] && is_wanted(beam, worker); j++)
-        beam_bonds_of_row(beam, j, log, false);
+        beam_bonds_of_row(beam, j, log, beam->with_energy);
 }
 
-static void asking_halos_chunk(void *context, int band, int worker)
+static void halos_of_band(void *context, int band, int worker)
 {
     Beam *beam = context;
     for (int j = beam->band_first[band]; j < beam->band_first[band + 1] && is_wanted(beam, worker); j++)
@@ -149,7 +130,8 @@ void beam_keep_strain(Beam *beam)
  * bonds that are left, J, kept until the state changes. */
 void beam_bond_forces(Beam *beam, bool with_energy)
 {
-    beam_run(beam, with_energy ? bonds_and_energy_chunk : bonds_chunk, beam->n_bands);
+    beam->with_energy = with_energy;
+    beam_run(beam, bonds_of_band, beam->n_bands);
     if (with_energy)
         beam_keep_strain(beam);
 }
@@ -157,8 +139,10 @@ void beam_bond_forces(Beam *beam, bool with_energy)
 bool beam_ask_forces(Beam *beam, double share, Status *status)
 {
     beam->built = share;
-    beam_run(beam, asking_bonds_chunk, beam->n_bands);
-    beam_run(beam, asking_halos_chunk, beam->n_bands);
+    beam->asks = true;
+    beam_bond_forces(beam, false);
+    beam_run(beam, halos_of_band, beam->n_bands);
+    beam->asks = false;
     return beam_go_on(beam, share, status);
 }
 

@@ -29,10 +29,10 @@ static void mark_dirty(Beam *beam, size_t node)
 
 static void mark_ends(Beam *beam, BondPlace place)
 {
-    const Offset *offset = &beam->lattice.offsets[place.offset];
-    size_t nx = (size_t)beam->lattice.nx;
-    mark_dirty(beam, (size_t)place.j * nx + (size_t)place.i);
-    mark_dirty(beam, (size_t)(place.j + offset->q) * nx + (size_t)(place.i + offset->p));
+    size_t ends[2];
+    lattice_ends(&beam->lattice, place, ends);
+    mark_dirty(beam, ends[0]);
+    mark_dirty(beam, ends[1]);
 }
 
 /* The crack starts with a bond whose middle lies within two horizons of the notch's end. */
@@ -60,12 +60,10 @@ static double break_cost(const Beam *beam, BondPlace place, long step)
     const Lattice *lattice = &beam->lattice;
     const NodeArrays *nodes = &beam->nodes;
     const Offset *offset = &lattice->offsets[place.offset];
-    const size_t own = lattice_at(lattice, place.i, place.j);
-    const size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
     const double dt = step < 0 ? 0 : beam->sim.dt;
-    const double ex = nodes->ux[other] - nodes->ux[own], ey = nodes->uy[other] - nodes->uy[own];
-    const double before = offset_stretch(offset, ex - dt * (nodes->vx[other] - nodes->vx[own]),
-                                         ey - dt * (nodes->vy[other] - nodes->vy[own]));
+    const double ex = lattice_apart(lattice, place, nodes->ux), ey = lattice_apart(lattice, place, nodes->uy);
+    const double before = offset_stretch(offset, ex - dt * lattice_apart(lattice, place, nodes->vx),
+                                         ey - dt * lattice_apart(lattice, place, nodes->vy));
     return beam_energy_at(beam, place, before * offset_stretch(offset, ex, ey));
 }
 
@@ -89,23 +87,28 @@ bool beam_take_log(Beam *beam, BondLog *log, long step)
     return written;
 }
 
+double beam_family_weight(const Beam *beam, size_t node, long step, double *broken)
+{
+    BondPlace family[FAMILY_MAX];
+    const size_t n = beam_family_of(beam, node, family);
+    double all = *broken = 0;
+    for (size_t k = 0; k < n; k++) {
+        const double weight = beam->lattice.offsets[family[k].offset].weight;
+        const size_t slot = lattice_slot(&beam->lattice, family[k]);
+        all += weight;
+        if (beam_bit(beam->broken, slot) && beam->broken_at[slot] <= step)
+            *broken += weight;
+    }
+    return all;
+}
+
 /* Eq. 5, the volumes being equal: sum w of broken bonds over sum w of the family, counting bonds that broke
  * in steps up to `step`. 0 whole, 1 alone; a node beside a crack that has passed has 0.4 to 0.5. */
 static double node_damage(const Beam *beam, size_t node, long step)
 {
-    const Lattice *lattice = &beam->lattice;
-    int i = (int)(node % (size_t)lattice->nx), j = (int)(node / (size_t)lattice->nx);
-    BondPlace family[FAMILY_MAX];
-    size_t n = beam_family(beam, i, j, family);
-    double all = 0, broken = 0;
-    for (size_t k = 0; k < n; k++) {
-        double weight = lattice->offsets[family[k].offset].weight;
-        all += weight;
-        size_t slot = lattice_slot(lattice, family[k]);
-        if (beam_bit(beam->broken, slot) && beam->broken_at[slot] <= step)
-            broken += weight;
-    }
-    return n ? broken / all : 0;
+    double broken;
+    const double all = beam_family_weight(beam, node, step, &broken);
+    return all > 0 ? broken / all : 0;
 }
 
 void beam_report(Beam *beam, EventKind kind, long step, const char *text)

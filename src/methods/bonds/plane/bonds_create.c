@@ -16,23 +16,10 @@ static void destroy(Simulation *sim)
     pool_destroy(beam->pool);
     for (int band = 0; beam->band_logs && band < beam->n_bands; band++)
         free(beam->band_logs[band].breaks);
-    free(beam->band_logs);
     free(beam->band_of_row);
     free(beam->band_first);
-    free(beam->coefficient);
-    free(beam->notched);
-    free(beam->unbreakable);
-    free(beam->rooted);
-    free(beam->state);
+    free(beam->block);
     free(beam->broken_at);
-    free(beam->damage);
-    free(beam->dirty);
-    free(beam->is_dirty);
-    free(beam->halo);
-    free(beam->row_energy);
-    free(beam->row_work);
-    free(beam->row_speeds);
-    free(beam->scratch);
     free(beam->both);
     free(beam->backup);
     lattice_free(&beam->lattice);
@@ -73,47 +60,55 @@ static void cut_into_bands(Beam *beam)
     beam->band_first[beam->n_bands] = ny;
 }
 
-/* All arrays. The state is one block, so that a snapshot is one copy: head, then ux, uy, vx, vy, fx, fy (each
+/* Where each array is in the block, NULL: nowhere yet; returns the bytes of all. */
+static size_t lay_out(Beam *beam, void *block)
+{
+    const Lattice *lattice = &beam->lattice;
+    const size_t nodes = lattice_nodes(lattice), slots = lattice_slots(lattice), rows = (size_t)lattice->ny;
+    const size_t bands = (size_t)beam->n_bands, threads = (size_t)beam->def.threads;
+    const size_t halo = bands * 2 * (size_t)lattice->rise * lattice->stride;
+    size_t used = 0;
+    beam->coefficient = beam_piece(block, &used, slots * sizeof *beam->coefficient);
+    beam->state = beam_piece(block, &used, beam->state_size);
+    beam->notched = beam_piece(block, &used, slots / 8);
+    beam->unbreakable = beam_piece(block, &used, nodes);
+    beam->rooted = beam_piece(block, &used, rows * lattice->n_tiles * (size_t)lattice->n_offsets);
+    beam->damage = beam_piece(block, &used, nodes * sizeof *beam->damage);
+    beam->dirty = beam_piece(block, &used, nodes * sizeof *beam->dirty);
+    beam->is_dirty = beam_piece(block, &used, nodes);
+    beam->halo = beam_piece(block, &used, halo * sizeof *beam->halo);
+    beam->row_energy = beam_piece(block, &used, rows * sizeof *beam->row_energy);
+    beam->row_work = beam_piece(block, &used, 2 * rows * sizeof *beam->row_work);
+    beam->row_speeds = beam_piece(block, &used, 2 * rows * sizeof *beam->row_speeds);
+    beam->band_logs = beam_piece(block, &used, bands * sizeof *beam->band_logs);
+    beam->scratch = beam_piece(block, &used, threads * BONDS_SCRATCH * sizeof *beam->scratch);
+    return used;
+}
+
+/* All arrays. The state is one piece, so that a snapshot is one copy: head, then ux, uy, vx, vy, fx, fy (each
  * ny rows of `stride` doubles), then a bit for each slot of a bond, set where it is broken; the head is
  * padded to a cache line. */
 static bool allocate(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
-    size_t nodes = lattice_nodes(lattice), slots = lattice_slots(lattice);
+    const size_t slots = lattice_slots(lattice);
     beam->array = (size_t)lattice->ny * lattice->stride;
     size_t head = (sizeof(StateHead) + 63) / 64 * 64, arrays = 6 * beam->array * sizeof(double);
     beam->state_size = head + arrays + slots / 8;
 
-    beam->band_of_row = zeroed(beam, (size_t)lattice->ny * sizeof *beam->band_of_row);
-    beam->band_first = zeroed(beam, ((size_t)lattice->ny + 1) * sizeof *beam->band_first);
+    beam->band_of_row = calloc((size_t)lattice->ny, sizeof *beam->band_of_row);
+    beam->band_first = calloc((size_t)lattice->ny + 1, sizeof *beam->band_first);
     if (!beam->band_of_row || !beam->band_first)
-        return beam_go_on(beam, BUILDING_BONDS, status) &&
-               status_fail(status, "not enough memory for %d rows (pd.spacing)", lattice->ny);
+        return status_fail(status, "not enough memory for %d rows (pd.spacing)", lattice->ny);
     cut_into_bands(beam);
-    size_t bands = (size_t)beam->n_bands, rise = (size_t)lattice->rise;
-
-    beam->coefficient = zeroed(beam, slots * sizeof *beam->coefficient);
-    beam->notched = zeroed(beam, slots / 8);
-    beam->unbreakable = zeroed(beam, nodes);
-    beam->rooted = zeroed(beam, (size_t)lattice->ny * lattice->n_tiles * (size_t)lattice->n_offsets);
-    beam->sim.state = beam->state = zeroed(beam, beam->state_size);
-    beam->backup = malloc(beam->state_size);
+    beam->block = zeroed(beam, lay_out(beam, NULL));
     beam->broken_at = calloc(slots, sizeof *beam->broken_at);
-    beam->damage = zeroed(beam, nodes * sizeof *beam->damage);
-    beam->dirty = zeroed(beam, nodes * sizeof *beam->dirty);
-    beam->is_dirty = zeroed(beam, nodes);
-    beam->halo = zeroed(beam, bands * 2 * rise * lattice->stride * sizeof *beam->halo);
-    beam->row_energy = zeroed(beam, (size_t)lattice->ny * sizeof *beam->row_energy);
-    beam->row_work = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_work);
-    beam->row_speeds = zeroed(beam, 2 * (size_t)lattice->ny * sizeof *beam->row_speeds);
-    beam->band_logs = zeroed(beam, bands * sizeof *beam->band_logs);
-    beam->scratch = zeroed(beam, (size_t)beam->def.threads * BONDS_SCRATCH * sizeof *beam->scratch);
-    if (!beam->coefficient || !beam->notched || !beam->unbreakable || !beam->rooted || !beam->state ||
-        !beam->backup || !beam->broken_at || !beam->damage || !beam->dirty || !beam->is_dirty ||
-        !beam->halo || !beam->row_energy || !beam->row_work || !beam->row_speeds || !beam->band_logs ||
-        !beam->scratch)
+    beam->backup = malloc(beam->state_size);
+    if (!beam->block || !beam->broken_at || !beam->backup)
         return beam_go_on(beam, BUILDING_BONDS, status) &&
                status_fail(status, "not enough memory for %zu bonds (pd.spacing)", lattice_bonds(lattice));
+    lay_out(beam, beam->block);
+    beam->sim.state = beam->state;
 
     double *arrays_at = (double *)((char *)beam->state + head);
     double **each[] = {&beam->nodes.ux, &beam->nodes.uy, &beam->nodes.vx,

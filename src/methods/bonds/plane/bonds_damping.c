@@ -156,29 +156,18 @@ void beam_weigh(Beam *beam, int j)
             f[axis][i] += forces_of_definition(beam->def.forces, &beam->sim, (size_t)j * wide + i, axis);
 }
 
-static void come_to_rest(Beam *beam, long step)
-{
-    beam->head->rested = beam->sim.at_rest = true;
-    beam_report(beam, EVENT_REST, step, "at rest: the kinetic energy is below 1e-10 of its largest");
-}
-
-/* Whether rest is looked for at the end of the step of this number. */
-static bool beam_asks_for_rest(const Beam *beam, long step)
-{
-    ASSERT_INT(step, >=, 0);
-    return beam->def.to_rest && step % BEAM_REST_EVERY == 0;
-}
-
 void beam_look_for_rest(Beam *beam, long step)
 {
     StateHead *head = beam->head;
-    if (!beam_asks_for_rest(beam, step) || head->rested)
+    if (!beam->def.to_rest || step % BEAM_REST_EVERY != 0 || head->rested)
         return;
     const double kinetic = beam_kinetic(beam);
     head->most_kinetic = fmax(head->most_kinetic, kinetic);
     head->kinetic_left = beam->sim.kinetic_left = kinetic > 0 ? kinetic / head->most_kinetic : 0;
     if (kinetic > BEAM_REST_SHARE * head->most_kinetic || step <= beam->last_order)
         head->moved = step;
-    else if (step - head->moved > beam->rest_steps)
-        come_to_rest(beam, step);
+    else if (step - head->moved > beam->rest_steps) {
+        head->rested = beam->sim.at_rest = true;
+        beam_report(beam, EVENT_REST, step, "at rest: the kinetic energy is below 1e-10 of its largest");
+    }
 }

@@ -4,6 +4,7 @@
 #include "methods/bonds/plane/bonds_mistakes.h"
 #include "methods/calculation.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -174,8 +175,8 @@ typedef struct NodeNow {
 /* Its six numbers of the state, six arrays one behind the other; `before` as in the saved state, or NULL. */
 static NodeNow node_at(const Beam *beam, size_t index, const void *before)
 {
-    const int row = (int)(index / (size_t)lattice_wide(&beam->lattice));
-    NodeNow node = {.at = lattice_at(&beam->lattice, lattice_column(&beam->lattice, index), row)};
+    NodeNow node = {.at = lattice_at(&beam->lattice, lattice_column(&beam->lattice, index),
+                                     lattice_row(&beam->lattice, index))};
     double *const values[3] = {node.u, node.v, node.f};
     for (size_t k = 0; k < 6; k++) {
         const double *now = beam->nodes.ux + k * beam->array + node.at;
@@ -450,14 +451,9 @@ static void explain_body_force(const Beam *beam, Calculation *calculation, size_
 static void explain_damage(const Beam *beam, Calculation *calculation, size_t index)
 {
     BondPlace family[FAMILY_MAX];
-    size_t n = beam_family_of(beam, index, family);
-    double all = 0, broken = 0;
-    for (size_t k = 0; k < n; k++) {
-        double weight = beam->lattice.offsets[family[k].offset].weight;
-        bool gone = beam_bit(beam->broken, lattice_slot(&beam->lattice, family[k]));
-        all += weight;
-        broken += gone ? weight : 0;
-    }
+    const size_t n = beam_family_of(beam, index, family);
+    double broken;
+    const double all = beam_family_weight(beam, index, LONG_MAX, &broken);
     write_lost(beam, calculation, family, n);
     calculation_number(calculation, "; in weights ", broken);
     calculation_value(calculation, " of ", all);

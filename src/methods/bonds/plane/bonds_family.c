@@ -19,14 +19,14 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
     ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
     const Lattice *lattice = &beam->lattice;
     const Offset *offset = &lattice->offsets[place.offset];
-    size_t own = lattice_at(lattice, place.i, place.j);
-    size_t other = lattice_at(lattice, place.i + offset->p, place.j + offset->q);
-    size_t slot = lattice_slot(lattice, place);
-    double ex = beam->nodes.ux[other] - beam->nodes.ux[own], ey = beam->nodes.uy[other] - beam->nodes.uy[own];
+    size_t slot = lattice_slot(lattice, place), ends[2];
+    const double ex = lattice_apart(lattice, place, beam->nodes.ux),
+                 ey = lattice_apart(lattice, place, beam->nodes.uy);
+    lattice_ends(lattice, place, ends);
     double rx = offset->x + ex, ry = offset->y + ey, length = sqrt(rx * rx + ry * ry);
     BondNow bond = {
-        .a = lattice_node(lattice, place.i, place.j),
-        .b = lattice_node(lattice, place.i + offset->p, place.j + offset->q),
+        .a = ends[0],
+        .b = ends[1],
         .stretch = offset_stretch(offset, ex, ey),
         .direction_x = length > 0 ? rx / length : 0,
         .direction_y = length > 0 ? ry / length : 0,
@@ -46,12 +46,7 @@ BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
     const bool own = bond.a == index && !lattice_is_image(&beam->lattice, place.i);
     ASSERT(own || bond.b == index);
     if (bonds_mistake(beam)) {
-        const Offset *offset = &beam->lattice.offsets[place.offset];
-        const size_t at = lattice_at(&beam->lattice, place.i, place.j);
-        const size_t to = lattice_at(&beam->lattice, place.i + offset->p, place.j + offset->q);
-        const BondsPull pull =
-            bonds_pull(beam, place, beam->coefficient[lattice_slot(&beam->lattice, place)],
-                       beam->nodes.ux[to] - beam->nodes.ux[at], beam->nodes.uy[to] - beam->nodes.uy[at]);
+        const BondsPull pull = bonds_pull(beam, place);
         bond.pull = own ? pull.own : pull.other;
         bond.direction_x = pull.x;
         bond.direction_y = pull.y;
@@ -86,7 +81,7 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out)
 size_t beam_family_of(const Beam *beam, size_t node, BondPlace *out)
 {
     const Lattice *lattice = &beam->lattice;
-    return beam_family(beam, lattice_column(lattice, node), (int)(node / (size_t)lattice_wide(lattice)), out);
+    return beam_family(beam, lattice_column(lattice, node), lattice_row(lattice, node), out);
 }
 
 /* A bond as one of its ends sees it. */

@@ -118,18 +118,8 @@ static const Field fields[N_FIELDS] = {
 };
 
 /* Of a bar, whose words for them are others. */
-enum {
-    LINE_X0 = F_X0,
-    LINE_X = F_X,
-    LINE_U = F_UX,
-    LINE_V = F_VX,
-    LINE_STRESS = F_STRESS,
-    LINE_STRAIN = F_STRAIN,
-    LINE_DENSITY = F_DENSITY,
-    LINE_MASS = F_MASS
-};
-#define AXIAL(which, name, label, unit, meaning)                                                             \
-    PARTICLE(LINE_##which, name, label, unit, meaning, true, false)
+enum { F_U = F_UX, F_V = F_VX };
+#define AXIAL(which, name, label, unit, meaning) PARTICLE(F_##which, name, label, unit, meaning, true, false)
 static const Field line_fields[] = {
     AXIAL_FIELD_ROWS(AXIAL, "force of all bonds through a section, mean of the sections beside the node",
                      "mean stretch of the node's bonds, weighted with length"),
@@ -301,7 +291,7 @@ static double node_field(const Beam *beam, int field, size_t node)
 {
     const Lattice *lattice = &beam->lattice;
     const NodeArrays *nodes = &beam->nodes;
-    const int i = lattice_column(lattice, node), j = (int)(node / (size_t)lattice_wide(lattice));
+    const int i = lattice_column(lattice, node), j = lattice_row(lattice, node);
     const size_t at = lattice_at(lattice, i, j);
     switch (field) {
     case F_X0:

@@ -72,6 +72,8 @@ typedef struct Beam {
     ForceWords force_words;    /* of the stage that adds what acts from outside */
     struct BondsMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
 
+    void *block; /* of most arrays of the model, the state and what follows from it */
+
     /* the model */
     double *coefficient;  /* of the intact or broken bonds now: it follows the state's bits */
     uint8_t *notched;     /* per slot one bit: cut by the notch */
@@ -127,7 +129,9 @@ typedef struct Beam {
     double *scratch;    /* one per worker */
     Pool *pool;         /* NULL: one thread */
     void *backup;       /* the state when a batch of steps began */
-    double built;       /* share of the building that is done, for forces meanwhile; see beam_ask_forces() */
+    bool with_energy;   /* of the sweep over bonds under way: it takes their energies too */
+    bool asks;          /* likewise: it may be given up; see beam_ask_forces() */
+    double built;       /* share of the building that is done meanwhile */
     _Atomic bool given_up; /* by BeamDef.cancel */
 } Beam;
 
@@ -211,6 +215,8 @@ void beam_add_work(Beam *beam, int half);            /* and once all rows are th
 /* bonds_break.c */
 double beam_energy_at(const Beam *beam, BondPlace, double squared); /* of a whole bond whose s^2 is this, J */
 bool beam_take_log(Beam *beam, BondLog *log, long step);            /* false: memory was short */
+/* Sum of w over a node's family, and over its bonds that broke in steps up to this one. */
+double beam_family_weight(const Beam *beam, size_t node, long step, double *broken);
 void beam_update_damage(Beam *beam, long step);
 void beam_rebuild_damage(Beam *beam);
 void beam_report(Beam *beam, EventKind, long step, const char *text); /* at the end of that step */
@@ -272,6 +278,15 @@ size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_
 void beam_set_stages(Beam *);
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size);
+
+/* A piece of a block that begins at a cache line (NULL: of none yet), for so many bytes; *used grows by it.
+ */
+static inline void *beam_piece(void *block, size_t *used, size_t bytes)
+{
+    void *piece = block ? (char *)block + *used : NULL;
+    *used += (bytes + 63) / 64 * 64;
+    return piece;
+}
 
 /* The bit of a slot: of broken bonds, or of those that the notch cut. */
 static inline bool beam_bit(const uint8_t *bits, size_t slot)

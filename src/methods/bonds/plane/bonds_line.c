@@ -64,8 +64,7 @@ void bonds_line_mirror(Beam *beam)
 /* e and k of a bond from column i in direction o; k is 0 where there is none. */
 static double elongation(const Beam *beam, int i, int o)
 {
-    const double *u = beam->nodes.ux + lattice_at(&beam->lattice, i, 0);
-    return u[beam->lattice.offsets[o].p] - u[0];
+    return lattice_apart(&beam->lattice, (BondPlace){i, 0, o}, beam->nodes.ux);
 }
 
 static double stiffness(const Beam *beam, int i, int o)

@@ -214,13 +214,16 @@ static double mistake_share(const BondsMistake *mistake, const BondEnd *end)
     return product;
 }
 
-BondsPull bonds_pull(const Beam *beam, BondPlace place, double coefficient, double ex, double ey)
+BondsPull bonds_pull(const Beam *beam, BondPlace place)
 {
     ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
     const Offset *offset = &beam->lattice.offsets[place.offset];
     const BondsMistake *mistake = bonds_mistake(beam);
+    const double ex = lattice_apart(&beam->lattice, place, beam->nodes.ux),
+                 ey = lattice_apart(&beam->lattice, place, beam->nodes.uy);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
-    const double stretch = offset_stretch(offset, ex, ey), whole = coefficient * stretch;
+    const double stretch = offset_stretch(offset, ex, ey),
+                 whole = beam->coefficient[lattice_slot(&beam->lattice, place)] * stretch;
     const bool left = owner_is_left(offset);
     BondEnd own = {.left = left, .owner = true, .rest = offset->length, .now = length};
     BondEnd other = {.left = !left, .rest = offset->length, .now = length};
@@ -244,20 +247,16 @@ void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy
 {
     ASSERT_INDEX(j, beam->lattice.ny);
     const Lattice *lattice = &beam->lattice;
-    const NodeArrays *nodes = &beam->nodes;
     double sum = 0;
     for (int o = 0; o < lattice->n_offsets; o++) {
         const Offset *offset = &lattice->offsets[o];
         for (int i = 0; i < lattice->nx; i++) {
             if (!lattice_has(lattice, i + offset->p, j + offset->q))
                 continue;
-            const size_t slot = lattice_slot(lattice, (BondPlace){i, j, o}), own = lattice_at(lattice, i, j);
-            const size_t other = lattice_at(lattice, i + offset->p, j + offset->q);
+            const size_t slot = lattice_slot(lattice, (BondPlace){i, j, o});
             if (beam->coefficient[slot] == 0)
                 continue;
-            const BondsPull pull =
-                bonds_pull(beam, (BondPlace){i, j, o}, beam->coefficient[slot],
-                           nodes->ux[other] - nodes->ux[own], nodes->uy[other] - nodes->uy[own]);
+            const BondsPull pull = bonds_pull(beam, (BondPlace){i, j, o});
             fx[0][i] += pull.own * pull.x;
             fy[0][i] += pull.own * pull.y;
             fx[offset->q][i + offset->p] -= pull.other * pull.x;

@@ -84,14 +84,14 @@ bool bonds_check_mistake(const BeamDef *, Status *);
 /* Whether a run may go from one to the other. */
 bool bonds_mistake_may_change(int from, int to, bool conceals, Status *);
 
-/* What a bond pulls at its owner and at its other end, with that coefficient and these
- * differences of displacements: in this code's words or, without a mistake, the right ones. */
+/* What a bond pulls at its owner and at its other end: in this code's words or, without a mistake, the right
+ * ones. */
 typedef struct BondsPull {
     double x, y; /* the direction from the one to the other */
     double own, other;
     double energy; /* over V |xi|/2 and the thickness */
 } BondsPull;
-BondsPull bonds_pull(const Beam *, BondPlace, double coefficient, double ex, double ey);
+BondsPull bonds_pull(const Beam *, BondPlace);
 
 /* bonds_family.c. A bond as one of its ends, node `index`, meets it: seen from there, with what this code
  * lets it pull. */

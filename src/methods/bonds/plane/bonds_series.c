@@ -98,19 +98,15 @@ static double momentum(const Beam *beam, const double *speed)
 COLUMN(momentum_x, momentum(beam, beam->nodes.vx))
 COLUMN(momentum_y, momentum(beam, beam->nodes.vy))
 
-static double reaction_x(Beam *beam)
+static double reaction(const Beam *beam, int axis)
 {
     double force[2];
     beam_reaction(beam, force);
-    return force[0];
+    return force[axis];
 }
 
-static double reaction_y(Beam *beam)
-{
-    double force[2];
-    beam_reaction(beam, force);
-    return force[1];
-}
+COLUMN(reaction_x, reaction(beam, 0))
+COLUMN(reaction_y, reaction(beam, 1))
 
 /* Of a bar, whose nodes all have the same mass: sum v/n, L/2 + sum u/n. */
 COLUMN(v_cm, momentum_x(beam) / (beam->def.density * beam->def.length))

@@ -73,15 +73,19 @@ static void constrain_displacement(Beam *beam, int j, double time)
     }
 }
 
+/* y += factor x of row j in both directions; x, y: the first of two arrays, one behind the other. */
+static void add_to(Beam *beam, int j, double *y, const double *x, double factor)
+{
+    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    for (size_t at = row; at < 2 * beam->array; at += beam->array)
+        beam->kernels->add(y + at, x + at, factor, count);
+}
+
 /* v += share dt/rho f, eqs. 9 and 11: f is rho a, so the density divides here and nowhere else. */
 static void kick(Beam *beam, int j, double share)
 {
-    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    double factor = share * beam->sim.dt / beam->def.density;
-    if (share == 0)
-        return;
-    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, factor, count);
-    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, factor, count);
+    if (share != 0)
+        add_to(beam, j, beam->nodes.vx, beam->nodes.fx, share * beam->sim.dt / beam->def.density);
 }
 
 /* Eq. 9 of row j; held components keep the velocity that they are given, whatever the bonds pull. */
@@ -95,11 +99,8 @@ static void half_kick(Beam *beam, int j, long step)
 /* Eq. 10 of row j, and the work that belongs to it. */
 static void drift(Beam *beam, int j, long step)
 {
-    size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    double dt = beam->sim.dt;
-    const double power = beam_own_power(beam, j);
-    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
-    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
+    const double power = beam_own_power(beam, j), dt = beam->sim.dt;
+    add_to(beam, j, beam->nodes.ux, beam->nodes.vx, dt);
     beam_note_work(beam, j, step);
     beam->row_work[2 * j] +=
         (power + beam_own_power(beam, j)) / 2 * beam_volume(beam) * beam->def.thickness * dt;
@@ -135,23 +136,15 @@ static void second_kick(Beam *beam, int j, long step)
 /* By a code that kicks late: u += dt v, then v += dt a, where the force is still that of the old place. */
 static void drift_and_kick(Beam *beam, int j, long step)
 {
-    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    const double dt = beam->sim.dt, whole = dt / beam->def.density;
-    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, dt, count);
-    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, dt, count);
-    beam_note_work(beam, j, step);
-    beam_note_speeds(beam, j);
-    beam->kernels->add(beam->nodes.vx + row, beam->nodes.fx + row, whole, count);
-    beam->kernels->add(beam->nodes.vy + row, beam->nodes.fy + row, whole, count);
-    constrain_velocity(beam, j, (double)step * dt);
+    drift(beam, j, step);
+    kick(beam, j, 1);
+    constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
 /* By a code that adds its displacement twice. */
 static void drift_twice(Beam *beam, int j, long step)
 {
-    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
-    beam->kernels->add(beam->nodes.ux + row, beam->nodes.vx + row, beam->sim.dt, count);
-    beam->kernels->add(beam->nodes.uy + row, beam->nodes.vy + row, beam->sim.dt, count);
+    add_to(beam, j, beam->nodes.ux, beam->nodes.vx, beam->sim.dt);
     drift(beam, j, step);
 }
 

@@ -182,11 +182,9 @@ static void log_break(BondLog *log, size_t slot)
 /* A bond that has reached s0 breaks unless one of its ends is protected. */
 static bool may_break(const BondSystem *system, BondPlace bond)
 {
-    const Offset *direction = &system->lattice->offsets[bond.offset];
-    size_t nx = (size_t)system->lattice->nx;
-    size_t a = (size_t)bond.j * nx + (size_t)bond.i;
-    size_t b = (size_t)(bond.j + direction->q) * nx + (size_t)(bond.i + direction->p);
-    return !system->unbreakable[a] && !system->unbreakable[b];
+    size_t ends[2];
+    lattice_ends(system->lattice, bond, ends);
+    return !system->unbreakable[ends[0]] && !system->unbreakable[ends[1]];
 }
 
 /* Bond by bond, for the few that may break or are beyond all bounds: f = k s (xi + eta) / |xi + eta|. A bond

@@ -59,7 +59,6 @@ typedef struct BondLog {
     uint32_t *breaks; /* slots of bonds that broke */
     size_t n_breaks, capacity;
     bool no_memory; /* a bond broke and could not be written down */
-    bool strained;  /* a live bond is longer by a fifth: trouble is near */
     bool unstable;  /* a live bond has doubled its length or collapsed, or its length is not a number */
     size_t unstable_slot;
     double *scratch; /* BONDS_SCRATCH doubles, aligned to 64 bytes */

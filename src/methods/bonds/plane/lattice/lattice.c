@@ -146,28 +146,6 @@ static bool lattice_go_on(const BeamDef *def, double share, Status *status)
                        def->problem == BEAM_BAR ? "bar" : "beam");
 }
 
-/* The factors of all nodes, before the coefficients of bonds are made of them. False: interrupted. */
-static bool set_factors(Lattice *lattice, const BeamDef *def, Status *status)
-{
-    const double nodes = (double)lattice_nodes(lattice);
-    size_t node = 0;
-    for (int j = 0; j < lattice->ny; j++) {
-        for (int k = 0; k < lattice_wide(lattice); k++, node++) {
-            const int i = lattice->images[0] + k;
-            const double share = 0.5 + 0.5 * (double)node / nodes;
-            if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
-                return false;
-            lattice->factor_x[node] = lattice->factor_y[node] = 1;
-            if (lattice->correction == SURFACE_ENERGY)
-                energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
-            if (lattice->correction == SURFACE_VOLUME)
-                lattice->factor_x[node] = lattice->factor_y[node] =
-                    M_PI * lattice->horizon * lattice->horizon / family_area(lattice, def, i, j);
-        }
-    }
-    return true;
-}
-
 /* Whether the other end is a node; bonds to mirrored ones are not counted. */
 static bool exists(const Lattice *lattice, BondPlace bond)
 {
@@ -177,23 +155,28 @@ static bool exists(const Lattice *lattice, BondPlace bond)
            !lattice_is_image(lattice, bond.i);
 }
 
-/* The number of the first bond that each node owns, in the order of nodes and then of offsets: what a table
- * counts. */
-static bool number_bonds(Lattice *lattice, const BeamDef *def, Status *status)
+/* The factors of all nodes, before the coefficients of bonds are made of them, and the number of the first
+ * bond that each owns, in the order of nodes and then of offsets: what a table counts. False: interrupted. */
+static bool set_nodes(Lattice *lattice, const BeamDef *def, Status *status)
 {
-    const double nodes = (double)lattice_nodes(lattice);
-    size_t node = 0;
+    const size_t nodes = lattice_nodes(lattice);
     uint32_t number = 0;
-    for (int j = 0; j < lattice->ny; j++)
-        for (int k = 0; k < lattice_wide(lattice); k++) {
-            const double share = 0.5 * (double)node / nodes;
-            if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
-                return false;
-            lattice->first_bond[node++] = number;
-            for (int o = 0; o < lattice->n_offsets; o++)
-                number += exists(lattice, (BondPlace){lattice->images[0] + k, j, o});
-        }
-    lattice->first_bond[node] = number;
+    for (size_t node = 0; node < nodes; node++) {
+        const int i = lattice_column(lattice, node), j = lattice_row(lattice, node);
+        const double share = (double)node / (double)nodes;
+        if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
+            return false;
+        lattice->first_bond[node] = number;
+        for (int o = 0; o < lattice->n_offsets; o++)
+            number += exists(lattice, (BondPlace){i, j, o});
+        lattice->factor_x[node] = lattice->factor_y[node] = 1;
+        if (lattice->correction == SURFACE_ENERGY)
+            energy_factors(lattice, i, j, &lattice->factor_x[node], &lattice->factor_y[node]);
+        if (lattice->correction == SURFACE_VOLUME)
+            lattice->factor_x[node] = lattice->factor_y[node] =
+                M_PI * lattice->horizon * lattice->horizon / family_area(lattice, def, i, j);
+    }
+    lattice->first_bond[nodes] = number;
     return true;
 }
 
@@ -205,8 +188,9 @@ double lattice_correction(const Lattice *lattice, BondPlace bond)
     ASSERT(lattice_has(lattice, bond.i, bond.j));
     ASSERT_INDEX(bond.offset, lattice->n_offsets);
     const Offset *offset = &lattice->offsets[bond.offset];
-    const size_t a = lattice_node(lattice, bond.i, bond.j),
-                 b = lattice_node(lattice, bond.i + offset->p, bond.j + offset->q);
+    size_t ends[2];
+    lattice_ends(lattice, bond, ends);
+    const size_t a = ends[0], b = ends[1];
     if (lattice->correction == SURFACE_ENERGY) {
         double nx = offset->x / offset->length, ny = offset->y / offset->length;
         double x = nx / ((lattice->factor_x[a] + lattice->factor_x[b]) / 2);
@@ -266,7 +250,7 @@ BondPlace lattice_bond_place(const Lattice *lattice, size_t number)
         else
             high = middle;
     }
-    BondPlace bond = {lattice_column(lattice, low), (int)(low / (size_t)lattice_wide(lattice)), -1};
+    BondPlace bond = {lattice_column(lattice, low), lattice_row(lattice, low), -1};
     for (size_t left = number - lattice->first_bond[low] + 1; left > 0; left--)
         bond = lattice_next_bond(lattice, bond);
     return bond;
@@ -393,7 +377,7 @@ bool lattice_init(Lattice *lattice, const BeamDef *def, Status *status)
         lattice_free(lattice);
         return status_fail(status, "not enough memory for %zu nodes", nodes);
     }
-    if (number_bonds(lattice, def, status) && set_factors(lattice, def, status))
+    if (set_nodes(lattice, def, status))
         return true;
     lattice_free(lattice);
     return false;

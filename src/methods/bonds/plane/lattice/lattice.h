@@ -107,10 +107,15 @@ static inline size_t lattice_node(const Lattice *lattice, int i, int j)
     return (size_t)j * (size_t)wide + (size_t)(k < 0 ? -1 - k : k >= wide ? 2 * wide - 1 - k : k);
 }
 
-/* The column of a node. */
+/* The column of a node, and its row. */
 static inline int lattice_column(const Lattice *lattice, size_t node)
 {
     return lattice->images[0] + (int)(node % (size_t)lattice_wide(lattice));
+}
+
+static inline int lattice_row(const Lattice *lattice, size_t node)
+{
+    return (int)(node / (size_t)lattice_wide(lattice));
 }
 
 static inline bool lattice_is_image(const Lattice *lattice, int i)
@@ -148,6 +153,22 @@ static inline bool lattice_has(const Lattice *lattice, int i, int j)
 typedef struct BondPlace {
     int i, j, offset;
 } BondPlace;
+
+/* The nodes at its ends, the owner first. */
+static inline void lattice_ends(const Lattice *lattice, BondPlace bond, size_t nodes[2])
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    nodes[0] = lattice_node(lattice, bond.i, bond.j);
+    nodes[1] = lattice_node(lattice, bond.i + offset->p, bond.j + offset->q);
+}
+
+/* What a padded array has at the other end of a bond less what it has at the owner: of displacements eta. */
+static inline double lattice_apart(const Lattice *lattice, BondPlace bond, const double *array)
+{
+    const Offset *offset = &lattice->offsets[bond.offset];
+    const double *own = array + lattice_at(lattice, bond.i, bond.j);
+    return own[(ptrdiff_t)lattice->stride * offset->q + offset->p] - own[0];
+}
 
 /* The first column of a tile; tile n_tiles starts at `columns`. */
 static inline size_t lattice_tile(const Lattice *lattice, size_t tile)

@@ -48,8 +48,7 @@ static double tractions(const Simulation *sim, size_t node, int axis, const void
 {
     (void)context;
     const Beam *beam = (const Beam *)sim;
-    const int i = lattice_column(&beam->lattice, node),
-              j = (int)(node / (size_t)lattice_wide(&beam->lattice));
+    const int i = lattice_column(&beam->lattice, node), j = lattice_row(&beam->lattice, node);
     double sum = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
