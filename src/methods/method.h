@@ -106,15 +106,21 @@ typedef struct Link {
 
     /* of a bond */
     double stretch;
-    double pull;      /* its force density times the volume of the other end: > 0 pulls towards that */
-    bool broken;      /* it carries nothing any more */
-    long broken_at;   /* of such a one: the step after which it was broken; 0: before the run, by a notch */
-    double length;    /* along a line: to the other end at rest, with its sign; else 0 */
-    double stiffness; /* likewise its force density per unit of stretch */
+    double pull;    /* its force density times the volume of the other end: > 0 pulls towards that */
+    bool broken;    /* it carries nothing any more */
+    long broken_at; /* of such a one: the step after which it was broken; 0: before the run, by a notch */
+    double apart[SIMULATION_DIMENSIONS_MAX];     /* to the other end at rest, along a line to an image too */
+    double direction[SIMULATION_DIMENSIONS_MAX]; /* in which it pulls now, a unit vector */
     /* c, G, w and V of c G w V s, its force density: micromodulus at its length, mean surface factor, share
      * of the other end's volume within reach, that volume */
     double factors[LINK_FACTORS];
 } Link;
+
+/* The force density that a bond gives. */
+static inline double link_density(const Link *link)
+{
+    return link->factors[LINK_V] > 0 ? link->pull / link->factors[LINK_V] : 0;
+}
 
 /* What linked things give to each other in a stage: for each pair a product of a few numbers. The products
  * that one thing is given add up to a field of it: a node's momentum is the sum of "m v N" of its particles.

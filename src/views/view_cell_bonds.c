@@ -21,10 +21,8 @@ typedef struct NearBonds {
     const Simulation *sim;
     size_t node, count;
     Link links[LINKS_MAX]; /* the strongest first, broken ones last */
-    double direction[LINKS_MAX][2];
-    double at[LINKS_MAX][2]; /* of the other end at rest, from the node, in spacings */
-    size_t whole;            /* that carry something */
-    char unit[16];           /* of a force density, with a space before it */
+    size_t whole;          /* that carry something */
+    char unit[16];         /* of a force density, with a space before it */
 } NearBonds;
 
 static int by_pull(const void *a, const void *b)
@@ -35,35 +33,6 @@ static int by_pull(const void *a, const void *b)
     const double left = fabs(one->pull), right = fabs(other->pull);
     return left != right ? (left < right) - (left > right)
                          : (one->index > other->index) - (one->index < other->index);
-}
-
-/* The force density that a bond gives; a link's pull is that times the volume of the other end. */
-static double density_of(const Link *link)
-{
-    return link->factors[LINK_V] > 0 ? link->pull / link->factors[LINK_V] : 0;
-}
-
-/* Towards the other end as it is now; along a line it may be a mirror image. */
-static void place_ends(NearBonds *bonds)
-{
-    const Simulation *sim = bonds->sim;
-    for (size_t k = 0; k < bonds->count; k++) {
-        const Link *link = &bonds->links[k];
-        double now[2] = {0, 0};
-        for (int d = 0; d < 2 && sim->position[d] >= 0; d++) {
-            const double apart = link->length != 0 ? link->length
-                                                   : simulation_value(sim, sim->position[d], link->index) -
-                                                         simulation_value(sim, sim->position[d], bonds->node);
-            bonds->at[k][d] = apart / sim->spacing;
-            now[d] = apart;
-            if (link->length == 0)
-                now[d] += simulation_value(sim, sim->displacement[d], link->index) -
-                          simulation_value(sim, sim->displacement[d], bonds->node);
-        }
-        const double length = math_hypot(now[0], now[1]);
-        for (int d = 0; d < 2; d++)
-            bonds->direction[k][d] = length > 0 ? now[d] / length : 0;
-    }
 }
 
 static bool take_bonds(NearBonds *bonds, const Screen *screen)
@@ -78,7 +47,6 @@ static bool take_bonds(NearBonds *bonds, const Screen *screen)
     qsort(bonds->links, bonds->count, sizeof *bonds->links, by_pull);
     while (bonds->whole < bonds->count && !bonds->links[bonds->whole].broken)
         bonds->whole++;
-    place_ends(bonds);
     snprintf(bonds->unit, sizeof bonds->unit, screen_problem(screen)->si ? " N/m³" : "");
     return bonds->count > 0;
 }
@@ -134,7 +102,7 @@ static void write_product(const NearBonds *bonds, const Link *link, int columns,
     if (glyphs_columns(out[0]) + 2 > columns)
         snprintf(out[0], 160, "%s", brief);
     text_append(out[1], 160, "%s = ", number_of(link->stretch).text);
-    text_append(out[1], 160, "%s%s", number_of(density_of(link)).text, bonds->unit);
+    text_append(out[1], 160, "%s%s", number_of(link_density(link)).text, bonds->unit);
 }
 
 /* What the stretch is enlarged by, so that it is seen: a quarter of the length at most. */
@@ -155,7 +123,7 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     const Link *link = &bonds->links[0];
     const double factor = enlarged(link->stretch), half = 0.25 * (1 + factor * link->stretch);
     char text[200], product[2][160];
-    const bool left = bonds->at[0][0] < 0; /* its other end */
+    const bool left = link->apart[0] < 0; /* its other end */
     const size_t ends[2] = {left ? link->index : bonds->node, left ? bonds->node : link->index};
     snprintf(text, sizeof text, "the bond %zu to %zu, the %s of %zu", bonds->node, link->index,
              link->broken ? "first" : "strongest", bonds->count);
@@ -177,7 +145,7 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
                  link->broken ? (Pen){LINE_DASHED, '-', STYLE_FAINT, RANK_GHOST, 0}
                               : (Pen){LINE_SOLID, '-', STYLE_MEASURED, RANK_GHOST, 0});
     snprintf(text, sizeof text, "at rest: |ξ| %s",
-             number_of(math_hypot(bonds->at[0][0], bonds->at[0][1]) * bonds->sim->spacing).text);
+             number_of(math_hypot(link->apart[0], link->apart[1])).text);
     add_label(picture, 0.5, 11.6, 0, STYLE_FAINT, text);
     if (link->broken) {
         add_label(picture, 0.5, 8, 0, STYLE_CHANGED, "broken: it carries nothing");
@@ -188,7 +156,7 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     add_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, text);
     write_product(bonds, link, picture->columns, product);
     snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls",
-             number_of(density_of(link)).text, bonds->unit);
+             number_of(link_density(link)).text, bonds->unit);
     add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);
     add_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, product[0]);
     snprintf(text, sizeof text, "c G w V s = %s", product[1]);
@@ -212,13 +180,14 @@ static void add_row(Picture *picture, double y, double share, const char *text)
 /* The body around the node, its bonds' other ends as dots, those that are written out with their letters. */
 static void add_family(const NearBonds *bonds, Picture *picture, size_t shown)
 {
-    double reach = 1;
+    double reach = bonds->sim->spacing;
     for (size_t k = 0; k < bonds->count; k++)
-        reach = fmax(reach, fmax(fabs(bonds->at[k][0]), fabs(bonds->at[k][1])));
+        for (int d = 0; d < 2; d++)
+            reach = fmax(reach, fabs(bonds->links[k].apart[d]));
     const double across = 0.13 / reach, up = 5 / reach, x = 0.16, y = 6;
     for (size_t k = 0; k < bonds->count; k++) {
         const Link *link = &bonds->links[k];
-        picture_thing(picture, x + across * bonds->at[k][0], y + up * bonds->at[k][1],
+        picture_thing(picture, x + across * link->apart[0], y + up * link->apart[1],
                       k < shown      ? (uint32_t)('a' + k)
                       : link->broken ? 'x'
                                      : 0x00b7,
@@ -237,16 +206,16 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
              bonds->count, bonds->count - bonds->whole, bonds->unit);
     open_drawing(picture, 0, 1, name);
     add_family(bonds, picture, shown);
-    const double most = shown > 0 ? fabs(density_of(&bonds->links[0])) : 0;
+    const double most = shown > 0 ? fabs(link_density(&bonds->links[0])) : 0;
     for (size_t k = 0; k < shown; k++) {
-        const double pull = density_of(&bonds->links[k]);
+        const double pull = link_density(&bonds->links[k]);
         snprintf(name, sizeof name, "%c to %zu  %.20s", (char)('a' + k), bonds->links[k].index,
                  number_of(pull).text);
         add_row(picture, 11.4 - 1.2 * (double)k, most > 0 ? pull / most : 0, name);
     }
     for (size_t k = shown; k < bonds->whole; k++)
         for (int d = 0; d < 2; d++)
-            rest[d] += density_of(&bonds->links[k]) * bonds->direction[k][d];
+            rest[d] += link_density(&bonds->links[k]) * bonds->links[k].direction[d];
     if (shown < bonds->whole) {
         snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
                  bonds->whole - shown, number_of(rest[0]).text);

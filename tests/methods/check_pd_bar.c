@@ -476,7 +476,10 @@ START_TEST(links_and_bonds)
             ck_assert_int_eq(links[k].set, 0);
             ck_assert_uint_lt(links[k].index, sim->counts[0]);
             least += fabs(links[k].pull);
-            ck_assert_double_eq_tol(links[k].stiffness * links[k].stretch * 0.5, links[k].pull, 1e-12);
+            ck_assert_double_eq_tol(links[k].factors[LINK_C] * links[k].factors[LINK_G] *
+                                        links[k].factors[LINK_W] * links[k].factors[LINK_V] *
+                                        links[k].stretch * 0.5,
+                                    links[k].pull, 1e-12);
         }
         ck_assert_double_ge(least * (1 + 1e-12), fabs(0.5 * of_particle(sim, "force", i)));
     }

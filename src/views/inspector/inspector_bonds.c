@@ -40,10 +40,33 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
 /* Who is at the other end: beyond a fixed end a mirror image. The longest bonds are told as one first. */
 static void describe_row(const Link *link, size_t node, double spacing, struct TableRow *row)
 {
-    const long place = (long)node + lround(link->length / spacing);
+    const long place = (long)node + lround(link->apart[0] / spacing);
     snprintf(row->name, sizeof row->name, place == (long)link->index ? "%zu" : "mirror of %zu", link->index);
-    row->rank = abs((int)lround(link->length / spacing));
+    row->rank = abs((int)lround(link->apart[0] / spacing));
     row->thing = (PictureThing){0, link->index};
+}
+
+/* What the force of the node is made of, as far as this step has come: into the columns that add, of these
+ * fields and with these loads. */
+static void add_totals(const Simulation *sim, size_t node, const char *const *fields, const double *loads,
+                       PictureTable *table)
+{
+    const int bonds = simulation_find_stage(sim, "bonds"), drift = simulation_find_stage(sim, "drift");
+    const bool is_old = sim->stage > drift && sim->stage <= bonds; /* the force is still the last step's */
+    const bool just_bonds = sim->stage == bonds + 1, just_load = sim->stage == bonds + 2;
+    const Style plain = STYLE_HEADING, changed = STYLE_CHANGED;
+    for (int c = 0, k = 0; c < table->n_columns; c++)
+        if (table->columns[c].adds) {
+            table->columns[c].base = is_old || just_bonds ? NAN : loads[k];
+            table->columns[c].result = simulation_named(sim, 0, fields[k++], node);
+        }
+    table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", just_bonds ? changed : plain};
+    table->totals[TOTAL_BASE] = (struct TableTotals){is_old || just_bonds ? NULL : "load on the node",
+                                                     just_load ? changed : STYLE_NORMAL};
+    table->totals[TOTAL_RESULT] = (struct TableTotals){is_old       ? "f, of the last step"
+                                                       : just_bonds ? "f, without the load"
+                                                                    : "f of the node",
+                                                       just_bonds || just_load ? changed : plain};
 }
 
 static void describe_sum(const Screen *screen, size_t node, const Link *links, size_t count,
@@ -52,10 +75,7 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
     static const char *const names[] = {"ξ", "stretch s", "c G w V", "force on it"};
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
     const Simulation *sim = screen_simulation(screen);
-    const int bonds = simulation_find_stage(sim, "bonds"), drift = simulation_find_stage(sim, "drift");
-    const bool just_bonds = sim->stage == bonds + 1;               /* the load is not yet in the force */
-    const bool is_old = sim->stage > drift && sim->stage <= bonds; /* that is still the last step's */
-    const double spacing = lattice_spacing(screen_settings(screen));
+    const double load = simulation_named(sim, 0, "load", node);
     table->count = count;
     table->n_columns = COLUMNS;
     table->what = "bond to";
@@ -65,25 +85,16 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
         snprintf(table->columns[c].name, sizeof table->columns[c].name, "%s", names[c]);
     }
     for (size_t i = 0; i < count; i++) {
-        describe_row(&links[i], node, spacing, &table->rows[i]);
-        table->columns[LENGTH].values[i] = links[i].length;
+        const double *f = links[i].factors;
+        describe_row(&links[i], node, sim->spacing, &table->rows[i]);
+        table->columns[LENGTH].values[i] = links[i].apart[0];
         table->columns[STRETCH].values[i] = links[i].stretch;
-        table->columns[STIFFNESS].values[i] = links[i].stiffness;
-        table->columns[FORCE].values[i] =
-            copysign(1, links[i].length) * links[i].stiffness * links[i].stretch;
+        table->columns[STIFFNESS].values[i] = f[LINK_C] * f[LINK_G] * f[LINK_W] * f[LINK_V];
+        table->columns[FORCE].values[i] = link_density(&links[i]) * links[i].direction[0];
     }
-    TableColumn *force = &table->columns[FORCE];
-    const Style changed = just_bonds ? STYLE_CHANGED : STYLE_NORMAL;
-    force->style = changed;
-    force->base = just_bonds || is_old ? NAN : simulation_named(sim, 0, "load", node);
-    force->result = simulation_named(sim, 0, "force", node);
-    table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", changed};
-    table->totals[TOTAL_BASE] =
-        (struct TableTotals){just_bonds || is_old ? NULL : "load on it", STYLE_NORMAL};
-    table->totals[TOTAL_RESULT] = (struct TableTotals){is_old       ? "f, of the last step"
-                                                       : just_bonds ? "f, without the load"
-                                                                    : "f of the node",
-                                                       is_old ? STYLE_NORMAL : STYLE_CHANGED};
+    add_totals(sim, node, (const char *const[]){"force"}, &load, table);
+    table->columns[FORCE].style =
+        sim->stage == simulation_find_stage(sim, "bonds") + 1 ? STYLE_CHANGED : STYLE_NORMAL;
 }
 
 static void describe(const Screen *screen, Picture *picture)
@@ -113,16 +124,6 @@ const Inspector inspector_bonds = {.needs = HAS_BONDS | HAS_LINE, .describe = de
 
 enum { FAMILY_LINKS = 256 };
 
-/* A bond seen from the chosen node. */
-typedef struct Ray {
-    size_t other;
-    int p, q; /* columns and rows from the node to the other end */
-    double stretch, pull;
-    double direction[2]; /* as it is now */
-    bool broken;
-    long broken_at; /* as of a Link */
-} Ray;
-
 typedef struct Family {
     const Screen *screen;
     const Simulation *sim;
@@ -130,32 +131,18 @@ typedef struct Family {
     Body body;
     size_t node;
     int i, j, reach;
-    Ray rays[FAMILY_LINKS];
+    Link links[FAMILY_LINKS];
     int count, broken, cut; /* broken in the run; cut by the notch before it */
-    int most;               /* the ray of the most stretched whole bond; -1: none */
+    int most;               /* the link of the most stretched whole bond; -1: none */
     int last;               /* of the one that broke last, the notch's left out; -1: none */
 } Family;
 
 /* --- what there is ---------------------------------------------------------------------------------- */
 
-static Ray ray_of(const Family *family, const Link *link)
+/* Columns (d 0) or rows from the node to the other end. */
+static int steps_to(const Family *family, const Link *link, int d)
 {
-    const Simulation *sim = family->sim;
-    const long nx = family->body.nx;
-    Ray ray = {
-        .other = link->index, .stretch = link->stretch, .broken = link->broken, .broken_at = link->broken_at};
-    ray.p = (int)((long)link->index % nx - family->i);
-    ray.q = (int)((long)link->index / nx - family->j);
-    const int steps[2] = {ray.p, ray.q};
-    for (int d = 0; d < 2; d++)
-        ray.direction[d] = steps[d] * family->body.spacing +
-                           simulation_value(sim, sim->displacement[d], link->index) -
-                           simulation_value(sim, sim->displacement[d], family->node);
-    const double length = math_hypot(ray.direction[0], ray.direction[1]);
-    for (int d = 0; d < 2 && length > 0; d++)
-        ray.direction[d] /= length;
-    ray.pull = link->pull / (family->body.spacing * family->body.spacing);
-    return ray;
+    return (int)lround(link->apart[d] / family->body.spacing);
 }
 
 static bool family_of(Family *family, const Screen *screen)
@@ -168,19 +155,19 @@ static bool family_of(Family *family, const Screen *screen)
     family->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
     family->i = (int)(family->node % (size_t)family->body.nx);
     family->j = (int)(family->node / (size_t)family->body.nx);
-    Link links[FAMILY_LINKS];
-    const size_t count = sim->method->links(sim, 0, family->node, links, FAMILY_LINKS);
+    const Link *const links = family->links;
+    const size_t count = sim->method->links(sim, 0, family->node, family->links, FAMILY_LINKS);
     family->count = (int)(count < FAMILY_LINKS ? count : FAMILY_LINKS);
     for (int k = 0; k < family->count; k++) {
-        const Ray ray = family->rays[k] = ray_of(family, &links[k]);
-        const int reach = abs(ray.p) > abs(ray.q) ? abs(ray.p) : abs(ray.q);
-        family->reach = reach > family->reach ? reach : family->reach;
-        const bool cut = ray.broken && ray.broken_at == 0;
+        const bool cut = links[k].broken && links[k].broken_at == 0;
+        for (int d = 0; d < 2; d++)
+            family->reach = (int)fmax(family->reach, abs(steps_to(family, &links[k], d)));
         family->cut += cut;
-        family->broken += ray.broken && !cut;
-        if (ray.broken && !cut && (family->last < 0 || ray.broken_at > family->rays[family->last].broken_at))
+        family->broken += links[k].broken && !cut;
+        if (links[k].broken && !cut &&
+            (family->last < 0 || links[k].broken_at > links[family->last].broken_at))
             family->last = k;
-        if (!ray.broken && (family->most < 0 || ray.stretch > family->rays[family->most].stretch))
+        if (!links[k].broken && (family->most < 0 || links[k].stretch > links[family->most].stretch))
             family->most = k;
     }
     return family->reach <= AROUND_MAX;
@@ -198,7 +185,7 @@ static double scale_of(const Family *family, char *meaning, size_t size)
 {
     double most = 0;
     for (int k = 0; k < family->count; k++)
-        most = fmax(most, family->rays[k].broken ? 0 : fabs(family->rays[k].stretch));
+        most = fmax(most, family->links[k].broken ? 0 : fabs(family->links[k].stretch));
     if (critical_stretch(family) > 0) {
         snprintf(meaning, size, "%% of s0");
         return 100 / critical_stretch(family);
@@ -223,17 +210,17 @@ static void describe_around(const Family *family, PictureAround *around)
             around->places[reach + q][reach + p].is_there = !inside && math_hypot(p, q) <= farthest;
         }
     for (int k = 0; k < family->count; k++) {
-        const Ray *ray = &family->rays[k];
-        around->places[reach + ray->q][reach + ray->p] =
+        const Link *link = &family->links[k];
+        around->places[reach + steps_to(family, link, 1)][reach + steps_to(family, link, 0)] =
             (struct AroundPlace){.is_there = true,
-                                 .value = ray->stretch * scale,
-                                 .sign = !ray->broken          ? 0
-                                         : ray->broken_at == 0 ? '|'
-                                                               : 'x',
-                                 .style = ray->broken         ? STYLE_WARNING
+                                 .value = link->stretch * scale,
+                                 .sign = !link->broken          ? 0
+                                         : link->broken_at == 0 ? '|'
+                                                                : 'x',
+                                 .style = link->broken        ? STYLE_WARNING
                                           : k == family->most ? STYLE_CHANGED
                                                               : STYLE_NORMAL,
-                                 .thing = {0, ray->other}};
+                                 .thing = {0, link->index}};
     }
     around->places[reach][reach] = (struct AroundPlace){
         .is_there = true, .sign = 0x25a0, .style = STYLE_SECOND, .thing = {0, family->node}};
@@ -244,14 +231,14 @@ static void describe_around(const Family *family, PictureAround *around)
 /* --- single bonds ----------------------------------------------------------------------------------- */
 
 /* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
-static void note_stretch(const Family *family, const Ray *ray, Picture *picture)
+static void note_stretch(const Family *family, const Link *link, Picture *picture)
 {
     const double s0 = critical_stretch(family);
     char text[96];
-    snprintf(text, sizeof text, "s = %s", text_fitted(ray->stretch, 4, 12).text);
+    snprintf(text, sizeof text, "s = %s", text_fitted(link->stretch, 4, 12).text);
     if (s0 > 0)
-        text_append(text, sizeof text, " = %s %% of s0 = %s", text_fitted(100 * ray->stretch / s0, 4, 8).text,
-                    text_fitted(s0, 4, 12).text);
+        text_append(text, sizeof text, " = %s %% of s0 = %s",
+                    text_fitted(100 * link->stretch / s0, 4, 8).text, text_fitted(s0, 4, 12).text);
     picture_note(picture, STYLE_CHANGED, "%s", text);
 }
 
@@ -261,25 +248,25 @@ static void note_last(const Family *family, Picture *picture)
 {
     if (family->last < 0)
         return;
-    const Ray *ray = &family->rays[family->last];
-    const bool now = ray->broken_at == family->sim->step + (family->sim->stage > 0);
+    const Link *link = &family->links[family->last];
+    const bool now = link->broken_at == family->sim->step + (family->sim->stage > 0);
     picture_note(picture, STYLE_WARNING,
                  now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld", family->node,
-                 ray->other, ray->broken_at);
-    picture->step = ray->broken_at;
+                 link->index, link->broken_at);
+    picture->step = link->broken_at;
     if (now)
-        note_stretch(family, ray, picture);
+        note_stretch(family, link, picture);
 }
 
-static const char *why_it_holds(const Family *family, const Ray *ray)
+static const char *why_it_holds(const Family *family, const Link *link)
 {
     const double s0 = critical_stretch(family);
     if (s0 <= 0)
         return "holds: bonds never break here (s0 = 0)";
-    if (ray->stretch < s0)
+    if (link->stretch < s0)
         return "holds: below s0";
     if (simulation_named(family->sim, 0, "protected", family->node) > 0 ||
-        simulation_named(family->sim, 0, "protected", ray->other) > 0)
+        simulation_named(family->sim, 0, "protected", link->index) > 0)
         return "holds: protected, near load or support";
     return "breaks in the next stage of bond forces";
 }
@@ -291,10 +278,10 @@ static void note_most(const Family *family, Picture *picture)
         picture_note(picture, STYLE_WARNING, "no bond of it is whole");
         return;
     }
-    const Ray *ray = &family->rays[family->most];
-    picture_note(picture, STYLE_HEADING, "most stretched: to node %zu", ray->other);
-    note_stretch(family, ray, picture);
-    picture_note(picture, STYLE_NORMAL, "%s", why_it_holds(family, ray));
+    const Link *link = &family->links[family->most];
+    picture_note(picture, STYLE_HEADING, "most stretched: to node %zu", link->index);
+    note_stretch(family, link, picture);
+    picture_note(picture, STYLE_NORMAL, "%s", why_it_holds(family, link));
 }
 
 /* --- the forces --------------------------------------------------------------------------------------- */
@@ -311,16 +298,10 @@ static double load_on(const Family *family)
                : 0;
 }
 
-/* What the force of the node is made of, as far as this step has come. */
 static void describe_forces(const Family *family, PictureTable *table)
 {
     static const char *const sides[] = {"bonds to the left", "bonds up and down", "bonds to the right"};
     static const char *const names[] = {"fx", "fy"};
-    const Simulation *sim = family->sim;
-    const int bonds = simulation_find_stage(sim, "bonds"), load = simulation_find_stage(sim, "body-force");
-    const int drift = simulation_find_stage(sim, "drift");
-    const bool is_old = sim->stage > drift && sim->stage <= bonds; /* the force is still the last step's */
-    const bool just_bonds = sim->stage == bonds + 1, just_load = sim->stage == load + 1;
     const double loads[] = {0, load_on(family)};
     table->what = "forces on it, N/m³";
     table->count = sizeof sides / sizeof *sides;
@@ -331,21 +312,11 @@ static void describe_forces(const Family *family, PictureTable *table)
         TableColumn *column = &table->columns[d];
         *column = (TableColumn){.adds = true};
         snprintf(column->name, sizeof column->name, "%s", names[d]);
-        for (int k = 0; k < family->count; k++) {
-            const Ray *ray = &family->rays[k];
-            column->values[1 + (ray->p > 0) - (ray->p < 0)] += ray->pull * ray->direction[d];
-        }
-        column->base = is_old || just_bonds ? NAN : loads[d];
-        column->result = simulation_named(family->sim, 0, names[d], family->node);
+        for (const Link *link = family->links; link < family->links + family->count; link++)
+            column->values[1 + (link->apart[0] > 0) - (link->apart[0] < 0)] +=
+                link_density(link) * link->direction[d];
     }
-    const Style plain = STYLE_HEADING, changed = STYLE_CHANGED;
-    table->totals[TOTAL_SUM] = (struct TableTotals){"all its bonds", just_bonds ? changed : plain};
-    table->totals[TOTAL_BASE] = (struct TableTotals){is_old || just_bonds ? NULL : "load on the node",
-                                                     just_load ? changed : STYLE_NORMAL};
-    table->totals[TOTAL_RESULT] = (struct TableTotals){is_old       ? "f, of the last step"
-                                                       : just_bonds ? "f, without the load"
-                                                                    : "f of the node",
-                                                       just_bonds || just_load ? changed : plain};
+    add_totals(family->sim, family->node, names, loads, table);
 }
 
 /* --- the whole ---------------------------------------------------------------------------------------- */

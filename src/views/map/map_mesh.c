@@ -235,14 +235,12 @@ void map_add_bonds(Map *map)
         if (picture_in_sight(map->picture, map->drawn->x[node], map->drawn->y[node],
                              2 * NEAREST * map->body.spacing)) {
             Link links[BONDS_MAX];
-            const Body *body = &map->body;
             const double from[2] = {map->drawn->x[node], map->drawn->y[node]};
-            const long nx = body->nx, i = (long)node % nx, j = (long)node / nx;
             const size_t count = map->sim->method->links(map->sim, 0, node, links, BONDS_MAX);
             for (size_t k = 0; k < count && k < BONDS_MAX; k++) {
                 const size_t other = links[k].index;
-                const double p = (double)((long)other % nx - i), q = (double)((long)other / nx - j);
-                if (other <= node || links[k].broken || math_hypot(p, q) > NEAREST)
+                if (other <= node || links[k].broken ||
+                    math_hypot(links[k].apart[0], links[k].apart[1]) > NEAREST * map->body.spacing)
                     continue;
                 const double to[2] = {map->drawn->x[other], map->drawn->y[other]};
                 picture_trace(map->picture, from, to, &(Stroke){.style = STYLE_FRAME});

@@ -372,10 +372,10 @@ static void explain_line_bonds(const Beam *beam, Calculation *calculation, const
             if (family[k].offset != o)
                 continue;
             const BondNow bond = bonds_seen_from(beam, family[k], index);
-            const double pull = bond.pull * bond.direction_x;
+            const double pull = bond.pull * bond.direction[0];
             const double whole = beam->coefficient[lattice_slot(&beam->lattice, family[k])];
             const int other = bond.owned ? family[k].i + o + 1 : family[k].i;
-            calculation_add(&sum, 2, bond.stretch != 0 ? pull / bond.stretch : bond.direction_x * whole,
+            calculation_add(&sum, 2, bond.stretch != 0 ? pull / bond.stretch : bond.direction[0] * whole,
                             bond.stretch, 0);
             sum.result += pull;
             if (o == 0)
@@ -410,13 +410,11 @@ static void explain_bonds(const Beam *beam, Calculation *calculation, size_t ind
     } else {
         calculation_write(calculation, "; none is stretched\n");
     }
-    for (size_t k = 0; k < n; k++) {
-        const double parts[2] = {bonds[k].direction_x, bonds[k].direction_y};
+    for (size_t k = 0; k < n; k++)
         for (int d = 0; bonds[k].pull != 0 && d < 2; d++) {
-            sums[d].result += bonds[k].pull * parts[d];
-            calculation_add(&sums[d], 2, bonds[k].pull, parts[d], 0);
+            sums[d].result += bonds[k].pull * bonds[k].direction[d];
+            calculation_add(&sums[d], 2, bonds[k].pull, bonds[k].direction[d], 0);
         }
-    }
     for (int d = 0; d < 2; d++)
         write_force(beam, calculation, &sums[d], now->f[d]);
 }

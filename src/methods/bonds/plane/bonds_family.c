@@ -28,8 +28,7 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
         .a = ends[0],
         .b = ends[1],
         .stretch = offset_stretch(offset, ex, ey),
-        .direction_x = length > 0 ? rx / length : 0,
-        .direction_y = length > 0 ? ry / length : 0,
+        .direction = {length > 0 ? rx / length : 0, length > 0 ? ry / length : 0},
         .broken = beam_bit(beam->broken, slot),
         .notch = beam_bit(beam->notched, slot),
         .owned = true,
@@ -48,13 +47,13 @@ BondNow bonds_seen_from(const Beam *beam, BondPlace place, size_t index)
     if (bonds_mistake(beam)) {
         const BondsPull pull = bonds_pull(beam, place);
         bond.pull = own ? pull.own : pull.other;
-        bond.direction_x = pull.x;
-        bond.direction_y = pull.y;
+        bond.direction[0] = pull.x;
+        bond.direction[1] = pull.y;
     }
     if (own)
         return bond;
-    bond.direction_x = -bond.direction_x;
-    bond.direction_y = -bond.direction_y;
+    bond.direction[0] = -bond.direction[0];
+    bond.direction[1] = -bond.direction[1];
     bond.b = bond.a;
     bond.owned = false;
     return bond;
@@ -96,10 +95,8 @@ static Link link_from(const Beam *beam, BondPlace place, size_t end)
                   .pull = bond.pull * beam_volume(beam),
                   .broken = bond.broken,
                   .broken_at = bond.broken ? beam->broken_at[lattice_slot(lattice, place)] : 0,
-                  .length = !lattice->line ? 0
-                            : bond.owned   ? offset->length
-                                           : -offset->length,
-                  .stiffness = lattice->line ? lattice_coefficient(lattice, place) : 0,
+                  .apart = {bond.owned ? offset->x : -offset->x, bond.owned ? offset->y : -offset->y},
+                  .direction = {bond.direction[0], bond.direction[1]},
                   .factors = {lattice->micromodulus * offset->influence, lattice_correction(lattice, place),
                               offset->weight, beam_volume(beam)}};
 }

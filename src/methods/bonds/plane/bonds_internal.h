@@ -259,9 +259,9 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
 typedef struct BondNow {
     size_t a, b; /* nodes: the owner and the other end */
     double stretch;
-    double direction_x, direction_y; /* from a to b as they are now, of length 1 */
-    double pull;                     /* force density, N/m^3: positive in tension, 0 when broken */
-    double energy;                   /* J; 0 when broken */
+    double direction[2]; /* from a to b as they are now, of length 1 */
+    double pull;         /* force density, N/m^3: positive in tension, 0 when broken */
+    double energy;       /* J; 0 when broken */
     bool broken, notch;
     bool owned; /* a is its owner, and so sees it to the right */
 } BondNow;
