@@ -136,7 +136,7 @@ CholeskyEnd cholesky_factor(Cholesky *band, const Cancel *cancel)
             row[d] = (row[d] - linear_dot(row + d + 1, other + 1, left - d)) / other[0];
         }
         const double pivot = row[0] - linear_dot(row + 1, row + 1, left);
-        if (!(pivot > 1e-14 * row[0]))
+        if (!(pivot > 1e-11 * row[0]))
             return CHOLESKY_SINGULAR;
         row[0] = sqrt(pivot);
         products += left * left / 2;

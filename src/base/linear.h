@@ -41,7 +41,7 @@ typedef struct Cholesky {
 
 typedef enum CholeskyEnd {
     CHOLESKY_DONE,
-    CHOLESKY_SINGULAR, /* a pivot below 1e-14 of its diagonal: not positive definite to rounding */
+    CHOLESKY_SINGULAR, /* a pivot below 1e-11 of its diagonal: not positive definite but for rounding */
     CHOLESKY_GIVEN_UP  /* by its Cancel */
 } CholeskyEnd;
 

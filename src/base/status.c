@@ -12,10 +12,8 @@ static void fill(Status *status, StatusCode code, const char *format, va_list ar
 {
     if (!status)
         return;
-    char text[sizeof status->text];
     status->code = code;
-    vsnprintf(text, sizeof text, format, arguments);
-    visible_text(status->text, sizeof status->text, text);
+    visible_format(status->text, sizeof status->text, format, arguments);
 }
 
 bool status_refuse(Status *status, const char *format, ...)
@@ -47,13 +45,12 @@ bool status_prefix(Status *status, const char *format, ...)
 {
     if (!status)
         return false;
-    char text[sizeof status->text], prefix[sizeof status->text];
+    char text[sizeof status->text];
     memcpy(text, status->text, sizeof text);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(prefix, sizeof prefix, format, arguments);
+    const size_t length = visible_format(status->text, sizeof status->text, format, arguments);
     va_end(arguments);
-    const size_t length = visible_text(status->text, sizeof status->text, prefix);
     snprintf(status->text + length, sizeof status->text - length, ": %s", text);
     return false;
 }

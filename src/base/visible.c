@@ -3,7 +3,6 @@
  * and each is copied or replaced by its escape. The table holds Unicode's format and control characters. */
 #include "base/visible.h"
 
-#include <stdarg.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -90,6 +89,25 @@ size_t visible_text(char *out, size_t size, const char *text)
     return used;
 }
 
+/* A line by its format; where it is too long it ends before the last whole character that has room. */
+static void compose(char text[LINE_MOST], const char *format, va_list arguments)
+{
+    const int length = vsnprintf(text, LINE_MOST, format, arguments);
+    size_t end = LINE_MOST - 1;
+    if (length < LINE_MOST)
+        return;
+    while (end > 0 && ((unsigned char)text[end - 1] & 0xc0) == 0x80)
+        end--;
+    text[end - ((unsigned char)text[end - 1] >= 0xc0)] = '\0';
+}
+
+size_t visible_format(char *out, size_t size, const char *format, va_list arguments)
+{
+    char text[LINE_MOST];
+    compose(text, format, arguments);
+    return visible_text(out, size, text);
+}
+
 /* One line between what begins and what ends it. */
 static void print_line(FILE *stream, const char *before, const char *text, const char *after)
 {
@@ -103,7 +121,7 @@ void visible_print(FILE *stream, const char *format, ...)
     char text[LINE_MOST];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    compose(text, format, arguments);
     va_end(arguments);
     const size_t length = strlen(text);
     const bool ends_line = length > 0 && text[length - 1] == '\n';
@@ -117,7 +135,7 @@ void visible_progress(FILE *stream, const char *format, ...)
     char text[LINE_MOST];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    compose(text, format, arguments);
     va_end(arguments);
     print_line(stream, "\r", text, "\033[K");
 }

@@ -14,6 +14,7 @@
 #ifndef BASE_VISIBLE_H
 #define BASE_VISIBLE_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -24,6 +25,10 @@ bool visible_is_clean(const char *text);
 /* Copies a text as it can be shown; what does not fit is left out, never half of a character. `out` must not
  * overlap the text. Returns the length. What is clean stays the same. */
 size_t visible_text(char *out, size_t size, const char *text);
+
+/* The same of a text by its format, of at most 2000 bytes. */
+size_t visible_format(char *out, size_t size, const char *format, va_list)
+    __attribute__((format(printf, 3, 0)));
 
 /* Prints one line of at most 2000 bytes as it can be shown. A newline is kept at the end of the line only. */
 void visible_print(FILE *, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -11,9 +11,7 @@
 
 static void put(Laboratory *lab, MessageKind kind, const char *format, va_list arguments)
 {
-    char text[sizeof lab->message.text];
-    vsnprintf(text, sizeof text, format, arguments);
-    visible_text(lab->message.text, sizeof lab->message.text, text);
+    visible_format(lab->message.text, sizeof lab->message.text, format, arguments);
     lab->message.kind = lab->message.text[0] ? kind : MESSAGE_NONE;
     lab->said_at = lab->host.now(lab->host.context);
 }
@@ -50,12 +48,10 @@ bool laboratory_work(Laboratory *lab, const char *format, ...)
 {
     const Message before = lab->message;
     const double said_at = lab->said_at;
-    char text[sizeof before.text];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    put(lab, MESSAGE_INFO, format, arguments);
     va_end(arguments);
-    laboratory_tell(lab, "%s", text);
     const bool goes_on = laboratory_go_on(lab);
     lab->message = before;
     lab->said_at = said_at;

@@ -88,12 +88,23 @@ bool bar_check_mesh(const Settings *settings, Status *status)
            problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }
 
+/* A pulse off the bar, or wider than it, has no front whose way could be measured. */
+static bool check_pulse(const Settings *settings, double length, Status *status)
+{
+    const char *text = settings_start(settings)->pulse;
+    Pulse pulse;
+    if (!pulse_read(text, &pulse, status))
+        return false;
+    return pulse.velocity == 0 || (pulse.centre >= 0 && pulse.centre <= length && pulse.width <= length) ||
+           status_refuse(status, "initial.pulse: %s is not on the bar (centre 0 to %g, width at most %g)",
+                         text, length, length);
+}
+
 static bool check(const Settings *settings, Status *status)
 {
     const BarDef bar = bar_mpm_definition(settings);
-    Pulse pulse;
     const double cells = round(bar.length / bar.cell_size);
-    return bar_check(&bar, status) && pulse_read(settings_start(settings)->pulse, &pulse, status) &&
+    return bar_check(&bar, status) && check_pulse(settings, bar.length, status) &&
            bar_check_modes(settings, cells * bar.particles_per_cell, status) &&
            problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
 }

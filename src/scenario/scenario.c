@@ -250,13 +250,20 @@ static bool find_origin(const Source *source, Status *status)
     return false;
 }
 
-/* Without either the origin is the last option or line. */
+static bool apply(const Source *, Settings *, Status *);
+
+/* Without either it is the first option with which the whole is refused, or the file's last line. */
 static bool blame(const Source *source, Status *status)
 {
+    Settings settings;
+    Source first = *source;
     if (!status || find_origin(source, status))
         return false;
-    if (source->n_overrides > 0)
-        return status_prefix(status, "%s", source->overrides[source->n_overrides - 1].origin);
+    for (first.n_overrides = 0; first.n_overrides < source->n_overrides; first.n_overrides++)
+        if (!apply(&first, &settings, NULL))
+            break;
+    if (first.n_overrides > 0)
+        return status_prefix(status, "%s", source->overrides[first.n_overrides - 1].origin);
     return at_line(source, &source->entries.all[source->entries.count - 1], status);
 }
 

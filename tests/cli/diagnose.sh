@@ -305,6 +305,9 @@ awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," }' right.csv >empty
 expect "an empty column" 1 mode5 empty.csv
 result "agrees with nothing" says out '^(its column v_cm is empty)$'
 head -n 2 right.csv >row.csv
+expect "the start alone" 1 mode5 row.csv
+result "tells nothing" sh -c 'grep -q "^(it has t = 0 alone, which the scenario gives)$" out && grep -q "^This file tells nothing" out'
+awk 'NR == 1 || NR == 30' right.csv >row.csv
 expect "one row" 0 mode5 row.csv
 result "is little" says out '^One row is little'
 awk -F, 'NR == 1 || NR % 3 == 0' right.csv >gaps.csv

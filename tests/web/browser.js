@@ -556,6 +556,9 @@ async function halt() {
 	const stands = (text) => /Space (run|again)/.test(text);
 	await until(has('Space'));
 	if (!stands(await screen())) await page.keyboard.press(' ');
+	// a run that has ended before the key came asks whether it is to begin again
+	if (stands((await until((text) => stands(text) || text.includes('run again from'))).text)) return;
+	await page.keyboard.press('Escape');
 	await until(stands);
 }
 

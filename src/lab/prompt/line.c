@@ -162,7 +162,7 @@ static int variant_of(const View *view, const Screen *screen, const char *which)
 {
     long number;
     if (text_to_long(which, &number))
-        return number > 0 && number < 100 ? (int)number : 0;
+        return number > 0 && number <= view_variants(view, screen) ? (int)number : 0;
     for (int i = 0; i < view_variants(view, screen); i++) {
         const char *word = view_variant_word(view, screen, i);
         if (word && strcmp(word, which) == 0)
@@ -181,11 +181,14 @@ static bool show(Laboratory *lab, const char *words)
     const View *view = view_named(word);
     const int variant = !view || !which[0] ? 1 : variant_of(view, &lab->screen, which);
     view_names(known, sizeof known);
-    if (!sound || !view || variant < 1)
+    if (!sound || !view)
         return prompt_refuse(
             lab, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2", known);
     if (view_missing(view, &lab->screen))
         return prompt_refuse(lab, "%s", view_missing(view, &lab->screen));
+    if (variant < 1)
+        return prompt_refuse(lab, "%s has no variant %s (1 to %d)", word, which,
+                             view_variants(view, &lab->screen));
     command_show_view(lab, view);
     view_choose_variant(view, &lab->screen, variant - 1);
     return true;

@@ -16,10 +16,8 @@ void prompt_ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, c
     va_list arguments;
     *prompt = (Prompt){.open = true, .yes_no = yes_no};
     va_start(arguments, format);
-    char question[sizeof prompt->question];
-    vsnprintf(question, sizeof question, format, arguments);
+    visible_format(prompt->question, sizeof prompt->question, format, arguments);
     va_end(arguments);
-    visible_text(prompt->question, sizeof prompt->question, question);
     prompt_fill(prompting, text);
     prompting->answer = answer;
     prompting->typing = NULL;
@@ -53,12 +51,10 @@ void prompt_close(Prompting *prompting)
 bool prompt_refuse(Laboratory *lab, const char *format, ...)
 {
     Prompt *prompt = &lab->prompting.shown;
-    char why[2 * sizeof prompt->problem];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(why, sizeof why, format, arguments);
+    visible_format(prompt->problem, sizeof prompt->problem, format, arguments);
     va_end(arguments);
-    visible_text(prompt->problem, sizeof prompt->problem, why);
     return false;
 }
 
