@@ -219,11 +219,11 @@ bool diagnose_judge_columns(Search *search)
     DiagnoseTable *table = search->table;
     leave_out_lost(search);
     size_from_rest(search);
-    /* what the scenario gives at t = 0 is of no code */
-    const bool start_alone = table->moments[table->n_moments - 1].step == 0;
-    const int telling = start_alone ? 0 : silence(search);
-    if (start_alone)
+    int telling = silence(search);
+    if (telling > 0 && table->moments[table->n_moments - 1].step == 0) {
         diagnose_note(table, "it has t = 0 alone, which the scenario gives");
+        telling = 0;
+    }
     if (telling > 0 && !table->of_stages && !find_copies(search))
         return false;
     const bool copied = search->found->verdict == DIAGNOSE_COPIED;

@@ -352,6 +352,17 @@ expect "a plate at rest" 0 pulled-plate --set pd.critical_energy=1e6 --set dampi
 result "its stress is in balance with its loads" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
 	{ n++; sxx += $at["sxx"]; syy += $at["syy"] } $at["y0"] > .039 { top += $at["uy"]; k++ } $at["y0"] < .001 { low += $at["uy"] }
 	END { right = 6e6 * (.039 + (top - low) / k) / .04; exit !(k == 100 && (syy / n / right - 1) ^ 2 < 1e-16 && (sxx / n) ^ 2 < 1) }' pulled.csv
+refuse "critical damping of a plate that nothing holds" "pulled-plate: damping.rate: critical is twice a lowest frequency that is not known here: \
+nothing holds the plate, its two lowest lie too close, or the lattice is too fine (a number, 1/s)" \
+	pulled-plate --set pd.spacing=2e-3 --set pd.horizon=6e-3 --set time.step=auto --set time.rest=yes --steps 1
+for pulse in 500,1,1 -3,1,1 50,101,1; do
+	refuse "a pulse $pulse" "--set: initial.pulse: $pulse is not on the bar (centre 0 to 100, width at most 100)" \
+		pulse --set initial.pulse=$pulse
+done
+refuse "the first option with which it fails is named" '--set: mesh.cell_size: the length 25.5 must be a whole number of cells, not 25.5' \
+	mode5 --set bar.length=25.5 --set initial.mode=3 --end 5
+printf '[scenario]\nproblem = bodies\n' >bodies.ini
+refuse "or the file" 'bodies.ini:2: bodies: there is none (at least one line, NAME = disc CX CY R)' bodies.ini --end 1
 expect "v_cm of a fine mesh is predicted" 0 mode5 --set mesh.cell_size=0.025 --set initial.velocity=1e-7 \
 	--set initial.overtones=3:3e-8,7:1e-8 --end 0.5 --series fine.csv --columns v_cm,v_cm_predicted --quiet
 result "to the size of its strain" awk -F, 'NR > 1 { d = $3 - $4; if (d * d > 1e-30) bad = 1; n++ } END { exit bad || n < 1000 }' fine.csv
