@@ -27,7 +27,9 @@ cat >"$scratch/wanted" <<'END'
 ./share/man/man1/matvib.1
 ./share/man/man5/matvib.5
 ./share/man/man7/matvib-checks.7
+./share/man/man7/matvib-commands.7
 ./share/man/man7/matvib-equations.7
+./share/man/man7/matvib-screen.7
 ./share/matvib/python/matvib.ipynb
 ./share/matvib/python/matvib.py
 ./share/metainfo/org.example.matvib.metainfo.xml

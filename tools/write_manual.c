@@ -18,6 +18,7 @@
 #include "lab/session/script.h"
 #include "help/command.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +60,16 @@ static void say_line(const char *text)
     putchar('\n');
 }
 
+/* A heading begins a paragraph by itself. */
+static bool after_heading;
+
+static void begin_paragraph(void)
+{
+    if (!after_heading)
+        puts(".PP");
+    after_heading = false;
+}
+
 static void heading(const char *text)
 {
     fputs(".SS ", stdout);
@@ -67,45 +78,60 @@ static void heading(const char *text)
 
 /* --- command line --------------------------------------------------------------------------------- */
 
+static void write_option(const Option *option)
+{
+    if (option->letter) {
+        const char letter[] = {'-', option->letter, '\0'};
+        say_in("B", letter);
+        fputs(", ", stdout);
+    }
+    say_in("B", option->name);
+    if (option->argument) {
+        putchar(' ');
+        say_in("I", option->argument);
+    }
+}
+
+/* Those that the laboratory has too are described once, with it, and named here. */
 static bool write_options(const char *command)
 {
     char word[32];
+    const char *before = ".PP\nAlso ";
     snprintf(word, sizeof word, " %s ", command);
-    for (int i = 0; i < n_options; i++) {
-        const Option *option = &options_table[i];
-        if (!strstr(option->commands, word))
-            continue;
-        puts(".TP");
-        if (option->letter) {
-            const char letter[] = {'-', option->letter, '\0'};
-            say_in("B", letter);
-            fputs(", ", stdout);
+    for (int again = 0; again < 2; again++)
+        for (const Option *option = options_table; option < options_table + n_options; option++) {
+            const bool described = strcmp(command, "open") == 0 || !strstr(option->commands, " open ");
+            if (!strstr(option->commands, word) || described == (again == 1))
+                continue;
+            fputs(described ? ".TP\n" : before, stdout);
+            write_option(option);
+            if (described) {
+                putchar('\n');
+                say_line(option->help);
+            }
+            before = described ? before : ", ";
         }
-        say_in("B", option->name);
-        if (option->argument) {
-            putchar(' ');
-            say_in("I", option->argument);
-        }
-        putchar('\n');
-        say_line(option->help);
-    }
+    if (*before == ',')
+        puts(".");
     return true;
 }
 
-static bool write_commands(const char *unused)
+/* The command's name, words and help as a sentence: the frame goes on from there. */
+static bool write_command(const char *name)
 {
-    (void)unused;
-    for (const CliCommand *command = cli_commands; command->name; command++) {
-        fputs(".SS matvib ", stdout);
-        say(command->name);
-        if (*command->synopsis) {
-            putchar(' ');
-            say(command->synopsis);
-        }
-        putchar('\n');
-        say_line(command->help);
-        write_options(command->name);
+    const CliCommand *command = cli_find(name);
+    if (!command)
+        return false;
+    fputs(".SS matvib ", stdout);
+    say(command->name);
+    if (*command->synopsis) {
+        putchar(' ');
+        say(command->synopsis);
     }
+    putchar('\n');
+    putchar(toupper((unsigned char)command->help[0]));
+    say(command->help + 1);
+    puts(strchr(".?", command->help[strlen(command->help) - 1]) ? "" : ".");
     return true;
 }
 
@@ -429,7 +455,8 @@ static bool write_tables(const char *scenario)
         return false;
     Simulation *simulation = problem_simulate(&settings, 1, &status);
     for (int set = 0; simulation && set < simulation->n_sets; set++) {
-        fputs(".PP\nA table of ", stdout);
+        begin_paragraph();
+        fputs("A table of ", stdout);
         say(simulation->sets[set].plural);
         puts(" has the columns step, time, the index, and");
         for (int i = 0; i < simulation->n_fields; i++)
@@ -540,7 +567,7 @@ static void write_stage(const Stage *stage)
         widest = length > widest ? length : widest;
         line += length;
     }
-    puts(".PP");
+    begin_paragraph();
     say_in("B", stage->id);
     fputs(" (", stdout);
     say(stage->source);
@@ -617,7 +644,7 @@ static const struct {
     const char *name;
     bool (*write)(const char *argument);
 } tables[] = {
-    {"commands", write_commands},
+    {"command", write_command},
     {"keys", write_keys},
     {"options", write_options},
     {"parameters", write_parameters},
@@ -670,6 +697,7 @@ int main(int count, char **arguments)
         line[strcspn(line, "\n")] = '\0';
         if (*line != '@') {
             copy(line);
+            after_heading = strncmp(line, ".SH ", 4) == 0 || strncmp(line, ".SS ", 4) == 0;
         } else if (!fill(line)) {
             fprintf(stderr, "write_manual: %s: no such table, or it is empty\n", line);
             return 1;

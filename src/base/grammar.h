@@ -55,7 +55,7 @@ typedef struct GrammarDialect {
     GrammarLevel level; /* of a whole text, and of the text in brackets */
     bool has_units;
     bool (*number)(Grammar *, double value);
-    bool (*word)(Grammar *); /* at `at` stands a letter */
+    bool (*word)(Grammar *); /* a letter is at `at` */
     bool (*apply)(Grammar *, GrammarVerb, int power);
 
     /* NULL, or reads the sign of a relation and what is right of it where that is no sum, as the left side, a

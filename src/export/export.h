@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run as files: CSV tables with their .csv.ini beside. Column contract: manual page matvib(1).
+/* A run as files: CSV tables with their .csv.ini beside. Column contract: manual page matvib-commands(7).
  *
  * Files are written whole or not at all: a temporary file in the same folder, fsync, rename. */
 #ifndef EXPORT_EXPORT_H

@@ -42,7 +42,7 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     return count;
 }
 
-/* The column of a variant; after the first one stand the pictures of a crack, *picture tells which (-1: it is
+/* The column of a variant; the pictures of a crack follow the first one, *picture tells which (-1: it is
  * a column). */
 static int probe_column(const Screen *screen, int variant, int *picture)
 {

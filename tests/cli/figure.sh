@@ -175,7 +175,7 @@ else
 fi
 
 # --- the commands of the manual know their views ---
-sed 's/\\-/-/g' "$MATVIB_SRCDIR/man/matvib.1.in" | sed -n 's/^matvib figure \([^ ]*\).*--view \([^ ]*\).*/\1 \2/p' >documented
+sed 's/\\-/-/g' "$MATVIB_SRCDIR/man/matvib.1.in" "$MATVIB_SRCDIR/man/matvib-commands.7.in" | sed -n 's/^matvib figure \([^ ]*\).*--view \([^ ]*\).*/\1 \2/p' >documented
 result "the papers' figures are in the manual, and one of its tutorial" lines documented 9
 while read -r scenario view; do
 	"$MATVIB" figure "$scenario" --list >out 2>err

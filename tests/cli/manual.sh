@@ -7,18 +7,27 @@
 man=$MATVIB_BUILDDIR/man
 test -e "$man/matvib.1" || man=$MATVIB_SRCDIR/man
 
+pages="matvib.1 matvib.5 matvib-screen.7 matvib-commands.7 matvib-equations.7 matvib-checks.7"
+
 plain() { sed 's/\\-/-/g; s/\\e/\\/g; s/\\(aq/'"'"'/g; s/\\(ha/^/g' "$1"; }
 examples() { awk '/^\.EE/ { on = 0; print "" } on { print } /^\.EX/ { on = 1 }' "$1.plain"; }
 quiet() { test ! -s "$1" || { cat "$1" && false; }; }
 
 if command -v groff >/dev/null 2>&1; then
-	for page in matvib.1 matvib.5 matvib-equations.7 matvib-checks.7; do
-		groff -ww -K utf8 -man -Tutf8 "$man/$page" >page.txt 2>warnings
+	for page in $pages; do
+		groff -ww -K utf8 -man -Tutf8 "$man/$page" >"$page.txt" 2>warnings
 		result "$page is formatted without a warning" quiet warnings
+	done
+	result "matvib.1 is read in twenty minutes" test "$(wc -w <matvib.1.txt)" -le 4500
+fi
+if command -v mandoc >/dev/null 2>&1; then
+	for page in $pages; do
+		mandoc -T lint -W warning "$man/$page" >warnings 2>&1
+		result "and mandoc finds no fault in $page" quiet warnings
 	done
 fi
 
-for page in matvib.1 matvib.5 matvib-checks.7; do
+for page in $pages; do
 	plain "$man/$page" >"$page.plain"
 done
 
@@ -44,8 +53,11 @@ result "params has s0 of both" grep -q 's0 = sqrt(4 pi G0/(9 E delta)), conical 
 
 # every command that stands in an example runs, in the order of the page
 PATH=$(dirname "$MATVIB"):$PATH
-examples matvib.1 | grep '^[a-z]' >commands
-result "matvib.1 has examples" test "$(wc -l <commands)" -ge 4
+for page in matvib.1 matvib-commands.7; do
+	examples "$page" | grep '^[a-z]' >"$page.examples"
+	result "$page has examples" test "$(wc -l <"$page.examples")" -ge 3
+done
+cat matvib.1.examples matvib-commands.7.examples >commands
 while read -r line; do
 	result "$line" sh -c "$line"
 done <commands
@@ -85,9 +97,11 @@ typed() { # FILE OF COMMANDS
 longer() { # PAGE: the commands between .nf and .fi
 	awk '/^\.nf/ { on = 1; next } /^\.fi/ { on = 0 } on' "$1.plain" | sed -e ':a' -e '/\\$/N; s/\\\n *//; ta' | grep '^matvib '
 }
-longer matvib.1 >commands
+longer matvib.1 >tutorial
+longer matvib-commands.7 >commands
 longer matvib-checks.7 >checks
-result "matvib.1 has longer examples" test "$(wc -l <commands)" -ge 7
+result "matvib.1 has a tutorial" test "$(wc -l <tutorial)" -ge 3
+result "matvib-commands.7 has longer examples" test "$(wc -l <commands)" -ge 7
 told() { # FILE: the commands of a document
 	sed -n 's/^    build\/\(matvib .*\)/\1/p' "$MATVIB_SRCDIR/$1" | sed 's/   *.*//'
 }
@@ -96,6 +110,7 @@ told doc/guide.md >guide
 result "the README has commands" test "$(wc -l <readme)" -ge 6
 result "the guide has commands" test "$(wc -l <guide)" -ge 18
 result "matvib-checks.7 has commands" test "$(wc -l <checks)" -ge 15
+typed tutorial
 typed commands
 typed readme
 typed guide
@@ -132,7 +147,10 @@ knows matvib.5 parameter
 "$MATVIB" list | cut -d' ' -f1 | sort -u >names
 knows matvib.1 scenario
 printf 'zebra\n' | "$MATVIB" --script - 2>&1 | sed -n 's/.*instruction: zebra (\(.*\))/\1/p' | tr -s '| ' '\n\n' | sort -u >names
-knows matvib.1 'instruction of a script'
+knows matvib-screen.7 'instruction of a script'
+"$MATVIB" --help | sed -n 's/^  matvib \([a-z]*\) .*/\1/p' | sort >names
+sed -n 's/^\.SS matvib \([a-z]*\).*/\1/p' matvib.1.plain | sort >headings
+result "matvib.1 has every command" sh -c 'test -s names && diff names headings'
 if command -v mandoc >/dev/null 2>&1 && { command -v pandoc || command -v lowdown; } >/dev/null 2>&1; then
 	result "the documents as HTML" "$MATVIB_SRCDIR/tools/html" "$MATVIB_SRCDIR" html "$MATVIB_BUILDDIR"/man/matvib.1
 	for page in html/README.html html/doc/*.html; do

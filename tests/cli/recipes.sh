@@ -9,7 +9,7 @@ PATH=$(dirname "$MATVIB"):$PATH
 
 # The block of the manual behind the comment `recipe: NAME`, as a script.
 recipe() {
-	sed 's/\\-/-/g; s/\\e/\\/g; s/\\(aq/'"'"'/g; s/\\&//g' "$MATVIB_SRCDIR/man/matvib.1.in" |
+	sed 's/\\-/-/g; s/\\e/\\/g; s/\\(aq/'"'"'/g; s/\\&//g' "$MATVIB_SRCDIR/man/matvib-commands.7.in" |
 		awk -v name="$1" '/^\.\\"/ { on = $0 ~ "recipe: " name "$"; next } /^\.fi/ { on = 0 } on && !/^\./ { print }'
 }
 # w as the summary of the run has it, to two in a thousand: zero crossings are counted in whole steps

@@ -12,8 +12,8 @@
 
 /* --- memory --------------------------------------------------------------------------------------- */
 
-/* Where each array stands; called twice: to measure, then to set pointers. Behind the state stand the scratch
- * and those arrays that belong to the model. Large arrays begin at different distances from a multiple of
+/* Where each array is; called twice: to measure, then to set pointers. The scratch and those arrays that
+ * belong to the model come behind the state. Large arrays begin at different distances from a multiple of
  * 4096 bytes: processors take a load for dependent on an earlier store when these agree. */
 static size_t lay_out(Mpm *mpm, unsigned char *block)
 {
