@@ -91,30 +91,31 @@ static const KickWords kick_words[][2] = {
                                   "The new force carries the velocity from half step to half step."}},
 };
 
+/* NULL: as it is. */
+static void reword(Stage *stage, const char *equation, const char *source, const char *sentence)
+{
+    stage->equation = equation ? equation : stage->equation;
+    stage->source = source ? source : stage->source;
+    stage->sentence = sentence ? sentence : stage->sentence;
+}
+
 static void word_kicks(Stage *stages, Stepping stepping)
 {
     for (int k = 0; k < 2 && stepping != STEPPING_VERLET; k++) {
         Stage *stage = &stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
         const KickWords *words = kick_words[stepping][k].equation ? &kick_words[stepping][k] : &no_kick;
         stage->name = k == 0 ? "first kick" : "second kick";
-        stage->equation = words->equation;
-        stage->sentence = words->sentence;
-        stage->source = "in words";
+        reword(stage, words->equation, "in words", words->sentence);
     }
-    if (stepping != STEPPING_VERLET) {
-        stages[STAGE_DRIFT].equation = "u(n+1) = u(n) + Δt v";
-        stages[STAGE_DRIFT].sentence = "Each node moves with its present velocity.";
-    }
+    if (stepping != STEPPING_VERLET)
+        reword(&stages[STAGE_DRIFT], "u(n+1) = u(n) + Δt v", NULL,
+               "Each node moves with its present velocity.");
 }
 
 static void word_mistake(Stage *stages, const BondsMistake *mistake)
 {
-    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
-        Stage *stage = &stages[mistake->lines[k].stage];
-        stage->equation = mistake->lines[k].equation;
-        stage->source = mistake->id;
-        stage->sentence = mistake->sentence;
-    }
+    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++)
+        reword(&stages[mistake->lines[k].stage], mistake->lines[k].equation, mistake->id, mistake->sentence);
 }
 
 void beam_set_stages(Beam *beam)
@@ -123,44 +124,37 @@ void beam_set_stages(Beam *beam)
         memcpy(beam->stages, line_stages, sizeof line_stages);
     else
         memcpy(beam->stages, stage_table, sizeof stage_table);
-    if (beam->def.problem == BEAM_MOVING_CANTILEVER) {
-        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
+    Stage *const first = &beam->stages[STAGE_HALF_KICK], *const second = &beam->stages[STAGE_SECOND_KICK],
+                 *const constraints = &beam->stages[STAGE_CONSTRAINTS],
+                 *const force = &beam->stages[STAGE_BODY_FORCE];
+    const bool moving = beam->def.problem == BEAM_MOVING_CANTILEVER;
+    if (moving) {
         constraints->name = "clamp";
-        constraints->equation = "in the channel uy = 0, with a full clamp ux = v0t";
-        constraints->source = "in words";
-        constraints->sentence = "The channel guides the nodes inside it.";
-        beam->stages[STAGE_SECOND_KICK].sentence =
-            "The new force completes the step's velocity; the clamp holds again.";
+        reword(constraints, "in the channel uy = 0, with a full clamp ux = v0t", "in words",
+               "The channel guides the nodes inside it.");
+        second->sentence = "The new force completes the step's velocity; the clamp holds again.";
     }
-    if (beam->def.problem == BEAM_NOTCHED) {
-        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS];
-        constraints->source = "in words";
-        if (!beam->def.pinned)
-            constraints->equation = "uy = 0 at the supports, ux is free";
-    }
+    if (beam->def.problem == BEAM_NOTCHED)
+        reword(constraints, beam->def.pinned ? NULL : "uy = 0 at the supports, ux is free", "in words", NULL);
     if (beam->def.problem == BEAM_PLATE) {
-        Stage *constraints = &beam->stages[STAGE_CONSTRAINTS], *force = &beam->stages[STAGE_BODY_FORCE];
-        constraints->equation = "v = V in the directions that a support gives; V = 0 holds";
-        constraints->source = "in words";
-        constraints->sentence = "Supports keep their velocity, whatever the bonds pull.";
+        reword(constraints, "v = V in the directions that a support gives; V = 0 holds", "in words",
+               "Supports keep their velocity, whatever the bonds pull.");
         force->reads = "loaded fx fy";
         force->writes = "fx fy";
     }
     if (beam->damping > 0) {
-        Stage *first = &beam->stages[STAGE_HALF_KICK], *second = &beam->stages[STAGE_SECOND_KICK];
-        first->equation = "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ";
-        first->sentence = "The last force adds half a step's worth of velocity, and damping takes its share.";
+        reword(first, "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ", NULL,
+               moving
+                   ? "The last force adds half a step's worth of velocity, and damping takes its share: of "
+                     "vx what differs from v0."
+                   : "The last force adds half a step's worth of velocity, and damping takes its share.");
         second->equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
-        if (beam->def.problem == BEAM_MOVING_CANTILEVER)
-            first->sentence =
-                "The last force adds half a step's worth of velocity, and damping takes its share: of "
-                "vx what differs from v0.";
     }
     word_kicks(beam->stages, beam->def.stepping);
     if (beam->n_loads == 0 && !beam->lattice.line)
-        beam->stages[STAGE_BODY_FORCE].reads = "fy";
+        force->reads = "fy";
     const ForceTerms forces = beam_terms(beam);
-    forces_word_stage(&forces, &beam->force_words, &beam->stages[STAGE_BODY_FORCE]);
+    forces_word_stage(&forces, &beam->force_words, force);
     word_mistake(beam->stages, beam->def.conceals_mistake ? NULL : bonds_mistake(beam));
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = beam->lattice.line ? STAGE_DAMAGE : N_STAGES;
@@ -168,18 +162,18 @@ void beam_set_stages(Beam *beam)
 
 /* A node, now and before the stage. */
 typedef struct NodeNow {
-    size_t at; /* in padded arrays */
     double u[2], v[2], f[2];
 } NodeNow;
 
 /* Its six numbers of the state, six arrays one behind the other; `before` as in the saved state, or NULL. */
 static NodeNow node_at(const Beam *beam, size_t index, const void *before)
 {
-    NodeNow node = {.at = lattice_at(&beam->lattice, lattice_column(&beam->lattice, index),
-                                     lattice_row(&beam->lattice, index))};
+    const Lattice *lattice = &beam->lattice;
+    const size_t at = lattice_at(lattice, lattice_column(lattice, index), lattice_row(lattice, index));
+    NodeNow node;
     double *const values[3] = {node.u, node.v, node.f};
     for (size_t k = 0; k < 6; k++) {
-        const double *now = beam->nodes.ux + k * beam->array + node.at;
+        const double *now = beam->nodes.ux + k * beam->array + at;
         values[k / 2][k % 2] = before ? calculation_before(beam->state, now, before) : *now;
     }
     return node;
@@ -299,22 +293,21 @@ static void explain_mirror(const Beam *beam, Calculation *calculation, size_t in
 /* Eqs. 12, 13, or the channel: which components are given, at the time that the step ends. */
 static void explain_constraints(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
 {
-    size_t nx = (size_t)beam->lattice.nx;
-    double time = (double)(beam->sim.step + 1) * beam->sim.dt;
+    const int i = lattice_column(&beam->lattice, index), j = lattice_row(&beam->lattice, index);
     if (beam->lattice.line) {
         explain_mirror(beam, calculation, index, now);
         return;
     }
-    if ((int)(index % nx) < beam_held_columns(beam, time)) {
-        if (beam->def.clamp == CLAMP_FULL)
-            calculation_number(calculation, "in the channel: uy = 0, ux = v0 t = ", now->u[0]);
-        else
-            calculation_number(calculation, "in the channel: uy = 0, free to slide: ux = ", now->u[0]);
+    if (i < beam_held_columns(beam, (double)(beam->sim.step + 1) * beam->sim.dt)) {
+        calculation_number(calculation,
+                           beam->def.clamp == CLAMP_FULL ? "in the channel: uy = 0, ux = v0 t = "
+                                                         : "in the channel: uy = 0, free to slide: ux = ",
+                           now->u[0]);
         calculation_write(calculation, " m\n");
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        if (patch_has(&s->patch, (int)(index % nx), (int)(index / nx))) {
+        if (patch_has(&s->patch, i, j)) {
             if (s->vx != 0 || s->vy != 0)
                 write_vector(beam, calculation, "moved by a support: vx, vy = ", NULL, now->v, "m/s");
             else

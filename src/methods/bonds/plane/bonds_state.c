@@ -83,38 +83,28 @@ size_t beam_small(Simulation *sim, double *x, double unit, bool put)
 typedef struct LiveParameter {
     const char *key;
     size_t offset; /* in the state's head */
-    bool (*allowed)(const Beam *beam, double value);
     const char *what;
 } LiveParameter;
 
-static bool any_stress(const Beam *beam, double value)
-{
-    return (beam->def.problem == BEAM_NOTCHED || beam->lattice.line) && isfinite(value);
-}
-
-static bool any_stretch(const Beam *beam, double value)
-{
-    (void)beam;
-    return value >= 0 && value < 0.5;
-}
-
-static bool any_weight(const Beam *beam, double value)
-{
-    (void)beam;
-    return isfinite(value);
-}
-
 static const LiveParameter live_on_line[] = {
-    {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number"},
-    {"load.traction", offsetof(StateHead, load_stress), any_stress, "a number"},
+    {"load.body_force", offsetof(StateHead, body_force), "a number"},
+    {"load.traction", offsetof(StateHead, load_stress), "a number"},
     {0},
 };
 static const LiveParameter live_parameters[] = {
-    {"load.body_force", offsetof(StateHead, body_force), any_weight, "a number in m/s^2"},
-    {"load.stress", offsetof(StateHead, load_stress), any_stress, "a stress in Pa, on the notched beam"},
-    {"pd.critical_stretch", offsetof(StateHead, critical_stretch), any_stretch, "0 to below 0.5"},
+    {"load.body_force", offsetof(StateHead, body_force), "a number in m/s^2"},
+    {"load.stress", offsetof(StateHead, load_stress), "a stress in Pa, on the notched beam"},
+    {"pd.critical_stretch", offsetof(StateHead, critical_stretch), "0 to below 0.5"},
     {0},
 };
+
+static bool is_allowed(const Beam *beam, const LiveParameter *live, double value)
+{
+    if (live->offset == offsetof(StateHead, critical_stretch))
+        return value >= 0 && value < 0.5;
+    return isfinite(value) && (live->offset != offsetof(StateHead, load_stress) || beam->lattice.line ||
+                               beam->def.problem == BEAM_NOTCHED);
+}
 
 /* Of those that are no matter of the start or of a factor. */
 static bool change_mistake(Beam *beam, double value, Status *status)
@@ -155,7 +145,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         if (bonds_mistake(beam) && live->offset == offsetof(StateHead, critical_stretch) && value != 0)
             return status_refuse(status, "pd.mistake: %s is defined for %s = 0 only",
                                  beam->def.conceals_mistake ? "?" : bonds_mistake(beam)->id, key);
-        if (!live->allowed(beam, value))
+        if (!is_allowed(beam, live, value))
             return status_refuse(status, "%s: %g is not allowed (%s)", key, value, live->what);
         memcpy((char *)beam->head + live->offset, &value, sizeof value);
         set_breaking(beam);

@@ -49,12 +49,12 @@ typedef struct Parts {
 } Parts;
 
 /* Adds every bond's force to its owner. */
-KERNEL_INLINE void add_own(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+KERNEL_INLINE void add_own(const Parts *parts, double *restrict fx, double *restrict fy)
 {
     const double *restrict px = parts->x + BONDS_MARGIN, *restrict py = parts->y + BONDS_MARGIN;
     for (size_t i = 0; i < parts->count; i += LANES) {
         Vector x = vector_load(fx + i), y = vector_load(fy + i);
-        for (int o = 0; o < n; o++) {
+        for (int o = 0; o < parts->n; o++) {
             x += vector_load(px + o * BONDS_SPAN + i);
             y += vector_load(py + o * BONDS_SPAN + i);
         }
@@ -64,50 +64,20 @@ KERNEL_INLINE void add_own(const Parts *parts, int n, double *restrict fx, doubl
 }
 
 /* Subtracts it from the other end, p columns on. */
-KERNEL_INLINE void subtract_other(const Parts *parts, int n, double *restrict fx, double *restrict fy)
+KERNEL_INLINE void subtract_other(const Parts *parts, double *restrict fx, double *restrict fy)
 {
     const double *restrict px = parts->x, *restrict py = parts->y;
     ptrdiff_t shift[2 * LATTICE_REACH_MAX + 1];
-    for (int o = 0; o < n; o++)
+    for (int o = 0; o < parts->n; o++)
         shift[o] = o * BONDS_SPAN + BONDS_MARGIN - LATTICE_BLOCK - (parts->offsets[o].p - parts->beyond);
     for (size_t i = 0; i < parts->count + 2 * LATTICE_BLOCK; i += LANES) {
         Vector x = vector_load(fx + i - LATTICE_BLOCK), y = vector_load(fy + i - LATTICE_BLOCK);
-        for (int o = 0; o < n; o++) {
+        for (int o = 0; o < parts->n; o++) {
             x -= vector_load(px + (ptrdiff_t)i + shift[o]);
             y -= vector_load(py + (ptrdiff_t)i + shift[o]);
         }
         vector_store(fx + i - LATTICE_BLOCK, x);
         vector_store(fy + i - LATTICE_BLOCK, y);
-    }
-}
-
-KERNEL_INLINE void gather(const Parts *parts, int n, double *fx, double *fy, double *other_x, double *other_y)
-{
-    add_own(parts, n, fx, fy);
-    subtract_other(parts, n, other_x, other_y);
-}
-
-/* The same with the number of directions a constant, for the families in use (3 and 4 spacings). */
-static void gather_parts(const Parts *parts, double *fx, double *fy, double *other_x, double *other_y)
-{
-    switch (parts->n) {
-    case 1:
-        gather(parts, 1, fx, fy, other_x, other_y);
-        break;
-    case 3:
-        gather(parts, 3, fx, fy, other_x, other_y);
-        break;
-    case 4:
-        gather(parts, 4, fx, fy, other_x, other_y);
-        break;
-    case 5:
-        gather(parts, 5, fx, fy, other_x, other_y);
-        break;
-    case 7:
-        gather(parts, 7, fx, fy, other_x, other_y);
-        break;
-    default:
-        gather(parts, parts->n, fx, fy, other_x, other_y);
     }
 }
 
@@ -148,7 +118,8 @@ KERNEL_INLINE double tile(const BondSystem *system, int j, int q, int first, int
         if (with_energy)
             energy += sum_lanes(sums) * segment.direction->length * system->energy_scale;
     }
-    gather_parts(&parts, fx[0] + from, fy[0] + from, fx[q] + from + beyond, fy[q] + from + beyond);
+    add_own(&parts, fx[0] + from, fy[0] + from);
+    subtract_other(&parts, fx[q] + from + beyond, fy[q] + from + beyond);
     return energy;
 }
 
