@@ -139,6 +139,8 @@ typedef struct Diagnosis {
     Explanation
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */
+    bool
+        one_is_right; /* EXPLAINED: the first is the right code, of which the others are nearer to the file */
     long tried;
     bool pairs_left; /* no two mistakes at once were tried, nor one in a scheme of four choices or more */
     bool time_up;    /* the time was up before all were tried */

@@ -129,8 +129,10 @@ typedef struct Search {
     double *values;    /* of the right run */
     double *grown;     /* what its round-off grows to, where it departs; else NULL */
     Walk walk;         /* along it */
-    size_t own;        /* entries that agree with the right code of the scheme whose mistakes are tried */
+    size_t own;        /* entries that agree with the right code of the scheme whose mistakes are tried, */
+    bool own_is_known; /* where it was run */
     Settings by_first; /* of the first code that explains it all; without one the right ones */
+    bool nearer;       /* mistakes are tried that are nearer than the right code that agrees */
     double until;      /* of the clock: DiagnoseTask.seconds */
     Settings of_first; /* the right code of its scheme */
     Status *status;

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "problems/problem.h"
 #include "scenario/concern_output.h"
+#include "scenario/concern_bonds.h"
 #include "scenario/concern_time.h"
 
 #include <math.h>
@@ -598,6 +599,13 @@ static bool is_settled(const Trials *trials)
     return settled;
 }
 
+static bool is_stable(const Settings *settings)
+{
+    Simulation *sim = problem_simulate(settings, 1, NULL);
+    simulation_destroy(sim);
+    return sim;
+}
+
 static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
 {
     enum { FEW_CHOICES = 1, SOME_CHOICES = 2 };
@@ -607,6 +615,8 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
     const Settings *right = trials->search->task->settings;
     const bool of_plane = diagnose_is_of_plane(right);
     const bool sparse = table->timed && !has_own_steps(table);
+    const double ratio = table->spacing * trials->times[0].factor / table->scenario_dt;
+    const bool of_own_steps = is_whole(ratio, table->spacing_bound / fmax(table->spacing, 1e-300) * ratio);
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
         wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
@@ -619,11 +629,13 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
             Settings held = *right;
             if (times->plain != (pass % 2 == 0) ||
                 (settled && (times->plain || (wrong && pass > 2 && !sparse))) ||
-                (wrong && pass == 1 && of_plane && 10.5 * times->dt < table->spacing * times->factor) ||
+                (wrong && pass == 1 && of_plane &&
+                 (of_own_steps || 10.5 * times->dt < table->spacing * times->factor)) ||
                 (wrong && pass > 1 && table->set >= 0 && strcmp(table->columns[0].name, "?") == 0) ||
-                !diagnose_hold_step(&held, times->dt, NULL))
+                !diagnose_hold_step(&held, times->dt, NULL) || !is_stable(&held))
                 continue;
-            table->dt = times->dt; /* that of the schemes */
+            settings_edit_lattice(&held)->step_is_known = true; /* none of the codes looks for its own */
+            table->dt = times->dt;                              /* that of the schemes */
             const int count = diagnose_schemes(&held, table,
                                                pass < 2            ? FEW_CHOICES
                                                : wrong && pass > 2 ? SOME_CHOICES

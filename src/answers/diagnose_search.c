@@ -165,21 +165,36 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
     diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
 }
 
+/* Entries that agree with the right code of the scheme whose mistakes are tried, which is run when they are
+ * first asked for. */
+static size_t own_entries(Search *search)
+{
+    if (!search->own_is_known) {
+        Walk walk = {.table = search->table, .moments = SIZE_MAX, .grown = search->grown};
+        search->found->tried++;
+        diagnose_walk(&walk, &search->right, search->task->threads, search->task->cancel, NULL);
+        search->own = walk.entries;
+        search->own_is_known = true;
+    }
+    return search->own;
+}
+
 /* Whether a run that fails, or in which round-off grows, explains more than chance does of where the right
  * ones depart, the scenario's and that of its own scheme: by the digits of all these entries, but for those
  * that a value was fitted to. Many codes share the start; a right code does not end where the file goes on.
  */
-static bool is_beyond_chance(const Search *search, const Candidate *candidate, const Walk *walk)
+static bool is_beyond_chance(Search *search, const Candidate *candidate, const Walk *walk)
 {
     enum { DIGITS = 11 }; /* some 1e5 codes are tried */
     const DiagnoseTable *table = search->table;
     const int digits = diagnose_digits_written(table); /* 0: no column has digits */
     const size_t start = table->moments[0].step > 0 ? 0 : table->moments[0].count * (size_t)table->n_columns,
-                 right = search->walk.entries > search->own ? search->walk.entries : search->own,
-                 before = right > start ? right : start,
-                 least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1);
+                 right = search->walk.entries, before = right > start ? right : start,
+                 least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1) +
+                         (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
     return (candidate->kind != DIAGNOSE_SCHEME || 2 * walk->compared >= table->n_moments) &&
-           walk->entries >= before + least + (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
+           walk->entries >= before + least &&
+           (candidate->kind == DIAGNOSE_SCHEME || walk->entries >= own_entries(search) + least);
 }
 
 /* Whether numbers far below those of their unit agree by more than being as small. */
@@ -235,7 +250,7 @@ static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Sett
               (departs ? is_alike(search->table, walk) && walk->compared > shown &&
                              (!walk->failed || is_beyond_chance(search, candidate, walk))
                        : walk->compared >= search->walk.compared);
-    return *agrees || !departs || candidate->kind == DIAGNOSE_VALUE || walk->jump > 1e-3 ||
+    return *agrees || !departs || search->nearer || candidate->kind == DIAGNOSE_VALUE || walk->jump > 1e-3 ||
            !is_beyond_chance(search, candidate, walk) || try_again(search, candidate, wrong, walk, agrees);
 }
 
@@ -312,6 +327,7 @@ static bool try_values(Search *search, bool shares)
     const bool simpler = shares || search->found->n_explanations > 0,
                open = table->dt_bound > 1e-12 * table->dt;
     const double a_slip = 1e-8; /* less is round-off, which any value fits */
+    search->own_is_known = false;
     if (search->walk.departing < ENTRIES_LEAST || search->walk.farthest < a_slip)
         return true;
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
@@ -339,9 +355,7 @@ static bool try_listed(Search *search, Listed what)
                       : what == PAIRS_OF_MISTAKES
                           ? diagnose_pairs(&search->right, candidates)
                           : diagnose_candidates(&search->right, what == MISTAKES_AND_VALUES, candidates);
-    const Candidate none = {.kind = DIAGNOSE_SCHEME};
-    if (sound && search->walk.departure.is && (sound = try_one(search, &none, &walk, &wrong, &agrees)))
-        search->own = walk.entries;
+    search->own_is_known = false;
     for (int i = 0; i < count && sound; i++) {
         if (candidates[i].kind == DIAGNOSE_SCHEME)
             continue;
@@ -349,7 +363,6 @@ static bool try_listed(Search *search, Listed what)
         if (sound && agrees)
             keep(search, &candidates[i], &wrong, &walk);
     }
-    search->own = 0;
     free(candidates);
     return sound;
 }
@@ -363,26 +376,73 @@ static bool of_few_numbers(const Search *search)
            (departing < 2 || departing * (size_t)diagnose_digits_written(search->table) < FEW_DIGITS);
 }
 
+/* A code that agrees has to be nearer than the others by so much to be likelier. */
+#define NEARER 4
+
+/* How far the nearest right code that agrees is from the file, beyond the digits written. */
+static double right_beyond(const Search *search)
+{
+    const Diagnosis *found = search->found;
+    double beyond = search->walk.departure.is ? INFINITY : beyond_of(&search->walk);
+    for (int i = 0; i < found->n_explanations; i++)
+        if (found->explanations[i].kind == DIAGNOSE_SCHEME)
+            beyond = fmin(beyond, found->explanations[i].beyond);
+    return beyond;
+}
+
+/* Right codes of schemes from the first on, none of more choices than the first that agrees; *fewest: of at
+ * most so many. False: it was given up. */
+static bool try_right(Search *search, const DiagnoseScheme *schemes, int first, int count, int *fewest)
+{
+    const Candidate candidate = {.kind = DIAGNOSE_SCHEME};
+    Settings same;
+    Walk walk;
+    bool agrees, sound = true;
+    for (int s = first; s < count && sound && schemes[s].choices <= *fewest; s++) {
+        search->right = schemes[s].settings;
+        sound = try_one(search, &candidate, &walk, &same, &agrees);
+        search->right = search->given;
+        if (sound && agrees) {
+            keep(search, &candidate, &same, &walk);
+            *fewest = schemes[s].choices;
+        }
+    }
+    return sound;
+}
+
+/* Right codes, or else mistakes, of schemes of at most so many choices that are nearer than the right code
+ * that agrees, where it is farther off than round-off. */
+static bool try_nearer(Search *search, const DiagnoseScheme *schemes, int count, int choices, bool wrong)
+{
+    const double right = right_beyond(search), round_off = 1e-13;
+    DiagnoseTable *table = search->table;
+    const double noise = table->noise, growth = table->noise_growth;
+    double *grown = search->grown;
+    bool sound = true;
+    if (right < round_off)
+        return true;
+    table->noise = right / NEARER, table->noise_growth = 0;
+    search->grown = NULL;
+    search->nearer = true;
+    if (!wrong)
+        sound = try_right(search, schemes, 0, count, &choices);
+    for (int s = 0; s < count && sound && wrong && schemes[s].choices <= choices; s++) {
+        search->right = schemes[s].settings;
+        sound = try_listed(search, MISTAKES);
+    }
+    search->nearer = false;
+    search->right = search->given;
+    search->grown = grown;
+    table->noise = noise, table->noise_growth = growth;
+    return sound;
+}
+
 /* Right codes of all schemes; where one agrees also the mistakes that the file cannot show, in the first of
  * them and in the scenario's. */
 static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count)
 {
-    Candidate candidate = {.kind = DIAGNOSE_SCHEME};
-    Settings wrong;
-    Walk walk;
-    bool agrees;
     int fewest = INT_MAX;
-    for (int s = 1; s < count && schemes[s].choices <= fewest; s++) {
-        search->right = schemes[s].settings;
-        if (!try_one(search, &candidate, &walk, &wrong, &agrees))
-            return false;
-        search->right = search->given;
-        if (agrees) {
-            keep(search, &candidate, &wrong, &walk);
-            fewest = schemes[s].choices;
-        }
-    }
-    bool sound = true;
+    bool sound = try_right(search, schemes, 1, count, &fewest);
     for (int s = 0; s < (of_few_numbers(search) ? 1 : count) && sound && search->found->n_explanations == 0;
          s++) {
         search->right = schemes[s].settings;
@@ -391,8 +451,9 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
     search->right = search->given;
     if (!sound || search->found->n_explanations == 0)
         return sound;
+    sound = try_nearer(search, schemes, count, fewest, true);
     search->right = search->by_first;
-    sound = try_listed(search, MISTAKES);
+    sound = sound && try_listed(search, MISTAKES);
     search->right = search->given;
     return sound && try_listed(search, MISTAKES);
 }
@@ -458,12 +519,15 @@ static bool try_all(Search *search, bool wrong)
 {
     DiagnoseScheme *schemes;
     search->given = search->by_first = search->right;
-    if (!search->walk.departure.is)
-        return try_listed(search, MISTAKES);
-    const int count = diagnose_schemes(&search->right, search->table, ANY_CHOICES, &schemes);
+    const bool agrees = !search->walk.departure.is;
+    const int count = diagnose_schemes(&search->right, search->table, agrees ? 1 : ANY_CHOICES, &schemes);
     if (!schemes)
         return status_fail(search->status, "out of memory");
-    const bool sound = wrong ? try_product(search, schemes, count) : try_schemes(search, schemes, count);
+    const bool sound = agrees
+                           ? try_nearer(search, schemes, count, 1, false) &&
+                                 try_nearer(search, schemes, count, 1, true) && try_listed(search, MISTAKES)
+                       : wrong ? try_product(search, schemes, count)
+                               : try_schemes(search, schemes, count);
     free(schemes);
     search->right = search->given;
     return sound;
@@ -493,32 +557,83 @@ static void tell_walk(Search *search)
         name_departure(search);
 }
 
+/* The right code that agrees, by the scenario's scheme or another, as the first of those that may be meant.
+ */
+static void put_right_first(Diagnosis *found)
+{
+    Explanation *first = &found->explanations[0];
+    if (first->kind != DIAGNOSE_SCHEME) {
+        const int moved =
+            found->n_explanations < EXPLANATIONS_MAX ? found->n_explanations++ : EXPLANATIONS_MAX - 1;
+        memmove(first + 1, first, (size_t)moved * sizeof *first);
+        *first = (Explanation){.kind = DIAGNOSE_SCHEME, .digits = found->digits, .rows = found->agreed};
+        memcpy(first->scheme, found->scheme, sizeof first->scheme);
+    }
+    strcpy(first->id, "right");
+    strcpy(first->words, "the right code, but the file is nearer to what follows");
+}
+
+/* Of right codes that agree that of fewest choices, or one that is orders nearer, comes first. Returns
+ * whether it is another than the scenario's. */
+static bool take_right(Search *search, double orders)
+{
+    Diagnosis *found = search->found;
+    const bool departs = search->walk.departure.is;
+    double beyond = departs ? found->explanations[0].beyond : beyond_of(&search->walk);
+    int first = departs ? 0 : -1, kept = 0;
+    for (int i = 0; i < found->n_explanations; i++)
+        if (found->explanations[i].kind == DIAGNOSE_SCHEME &&
+            found->explanations[i].beyond * orders < beyond) {
+            first = i;
+            beyond = found->explanations[i].beyond;
+        }
+    const Explanation right = found->explanations[first < 0 ? 0 : first];
+    for (int i = 0; i < found->n_explanations; i++)
+        if (found->explanations[i].kind != DIAGNOSE_SCHEME)
+            found->explanations[kept++] = found->explanations[i];
+    found->n_explanations = kept;
+    if (first < 0)
+        return false;
+    memmove(&found->explanations[1], &found->explanations[0], (size_t)kept * sizeof right);
+    found->explanations[0] = right;
+    found->n_explanations++;
+    return true;
+}
+
 /* Of codes that agree the nearest: mistakes whose numbers, beyond the digits written, are orders nearer than
- * those of the right code, which agrees but for what round-off may come to. */
+ * those of the right code, which agrees but for what round-off may come to. Where they are nearer by less,
+ * the right code remains the first of them. False: a right code explains the file. */
 static bool take_nearest(Search *search)
 {
     const double orders = 1e2, round_off = 1e-15;
     Diagnosis *found = search->found;
-    const bool departs = search->walk.departure.is, scheme = departs && found->n_explanations > 0;
-    if (departs && (!scheme || found->explanations[0].kind != DIAGNOSE_SCHEME))
+    const bool departs = search->walk.departure.is;
+    if (departs && (found->n_explanations == 0 || found->explanations[0].kind != DIAGNOSE_SCHEME))
         return false;
-    const double right = scheme ? found->explanations[0].beyond : beyond_of(&search->walk);
+    const double right = right_beyond(search);
+    const bool other = take_right(search, orders);
     double best = right;
     for (int i = 0; i < found->n_explanations; i++)
         if (found->explanations[i].kind == DIAGNOSE_MISTAKE)
             best = fmin(best, found->explanations[i].beyond);
-    const double near = fmax(best, round_off) * orders;
-    if (right < near)
-        return false;
-    int kept = 0;
-    for (int i = 0; i < found->n_explanations; i++)
+    best = fmax(best, round_off);
+    if (right < NEARER * best)
+        return other;
+    found->one_is_right = right < orders * best;
+    if (found->one_is_right)
+        put_right_first(found);
+    const double near = found->one_is_right ? right / NEARER : best * orders;
+    int kept = found->one_is_right;
+    for (int i = kept; i < found->n_explanations; i++)
         if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].beyond < near)
             found->explanations[kept++] = found->explanations[i];
     found->n_explanations = kept;
-    search->of_first = scheme ? search->by_first : search->given;
+    search->of_first = departs ? search->by_first : search->given;
+    if (found->one_is_right)
+        return true;
     free(search->grown);
     search->grown = NULL;
-    search->table->noise = fmax(best, round_off); /* where the right one departs by more */
+    search->table->noise = best; /* where the right one departs by more */
     return true;
 }
 
@@ -559,6 +674,16 @@ static void put_back(DiagnoseTable *table, const DiagnoseTable *left)
     *table = *left;
     diagnose_read_as(table, &reading);
     *table = *left;
+}
+
+/* What was found last, or before, where that is nothing. Returns whether it was not given up. */
+static bool known_or(Search *search, bool sound, const Diagnosis *before, const DiagnoseTable *as_before)
+{
+    if (sound && search->found->verdict == DIAGNOSE_UNKNOWN) {
+        *search->found = *before;
+        put_back(search->table, as_before);
+    }
+    return sound;
 }
 
 /* Each way to read the table, the likeliest first, up to one that a right code explains, then to one that a
@@ -651,13 +776,7 @@ static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int 
     table->noise_growth = noise == single ? single_growth(&search->right, table->dt) : 1e-2;
     *search->found = begun;
     search->found->single = noise == single;
-    if (!judge_readings(search, readings, count))
-        return false;
-    if (search->found->verdict != DIAGNOSE_UNKNOWN)
-        return true;
-    *search->found = before;
-    put_back(table, &as_before);
-    return true;
+    return known_or(search, judge_readings(search, readings, count), &before, &as_before);
 }
 
 /* By the likely readings; in the plane, where they lead to nothing, by that with which a wrong code agrees:
@@ -678,13 +797,7 @@ static bool judge_all(Search *search, DiagnoseReading *readings, int count)
         return status_fail(search->status,
                            cancel_requested(&search->task->cancel, 0) ? "interrupted" : "out of memory");
     *search->found = begun;
-    if (count > 0 && !judge_by_noise(search, readings, count))
-        return false;
-    if (search->found->verdict != DIAGNOSE_UNKNOWN)
-        return true;
-    *search->found = before;
-    put_back(search->table, &as_before);
-    return true;
+    return known_or(search, count == 0 || judge_by_noise(search, readings, count), &before, &as_before);
 }
 
 bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, Status *status)

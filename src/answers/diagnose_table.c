@@ -353,11 +353,12 @@ static void add_unknown(DiagnoseTable *table, const Names *names, const bool *ta
     }
 }
 
-/* Whether a column counts rows or steps by so many, from 0 or the first on. */
+/* Whether a column counts rows or steps by so many, from 0 or one of the first on. */
 static bool does_count(const OverlayColumn *column, size_t count, double by)
 {
     const double *values = column->values;
-    bool counts = count > 1 && (values[0] == 0 || values[0] == by) && values[count - 1] > values[0];
+    bool counts = count > 1 && values[0] >= 0 && values[0] <= by && values[0] == floor(values[0]) &&
+                  values[count - 1] > values[0];
     for (size_t r = 1; r < count && counts; r++)
         counts = values[r] == values[r - 1] || values[r] == values[r - 1] + by;
     return counts;

@@ -13,7 +13,8 @@ const char *const diagnose_words[] = {"right", "right but", "mistake", "one of",
 
 const Explanation *diagnosis_acquits(const Diagnosis *found)
 {
-    for (int i = 0; i < found->n_explanations && found->verdict == DIAGNOSE_EXPLAINED; i++) {
+    for (int i = 0; i < found->n_explanations && found->verdict == DIAGNOSE_EXPLAINED && !found->one_is_right;
+         i++) {
         const Explanation *one = &found->explanations[i];
         if (one->kind == DIAGNOSE_SCHEME)
             return one;
@@ -310,8 +311,9 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const ch
     if (found->time_up)
         fputs("Not everything was tried in the time (--time).\n", out);
     const bool right = diagnosis_word(found, table) <= WORD_RIGHT_BUT;
-    tell_agreement(found, table, out);
-    if (found->departure.is && !right)
+    if (!found->one_is_right)
+        tell_agreement(found, table, out);
+    if (found->departure.is && !right && !found->one_is_right)
         tell_departure(found, table, out);
     if (right)
         tell_hidden(found, out);
@@ -351,18 +353,20 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
                             found->explanations[i].id);
         return;
     }
-    text_append(out, size, ". It ");
-    text_append(out, size, "departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
-                departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
-                table->columns[departure->column].name,
-                isinf(departure->theirs) ? "no number" : text_rounded(departure->theirs, 9).text,
-                text_rounded(departure->ours, 9).text);
+    text_append(out, size, ". ");
+    if (departure->is)
+        text_append(out, size, "It departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
+                    departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
+                    table->columns[departure->column].name,
+                    isinf(departure->theirs) ? "no number" : text_rounded(departure->theirs, 9).text,
+                    text_rounded(departure->ours, 9).text);
     if (*departure->factors)
         text_append(out, size, " (times %s)", departure->factors);
+    text_append(out, size, departure->is ? ". " : "");
     if (found->verdict == DIAGNOSE_UNKNOWN) {
-        text_append(out, size, ". None of %ld other codes gives these numbers%s.", found->tried,
+        text_append(out, size, "None of %ld other codes gives these numbers%s.", found->tried,
                     found->pairs_left ? "; :diagnose FILE pairs tries two mistakes at once" : "");
         return;
     }
-    text_append(out, size, ". To %d digits over %zu rows: %s", first->digits, found->compared, first->words);
+    text_append(out, size, "To %d digits over %zu rows: %s", first->digits, found->compared, first->words);
 }

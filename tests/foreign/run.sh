@@ -7,7 +7,7 @@
 . "$MATVIB_SRCDIR/tests/common.sh"
 list=$scratch/list
 cat "$MATVIB_SRCDIR/tests/foreign/list" "$MATVIB_SRCDIR/tests/foreign/drawn" | grep -v '^#' |
-	awk -v every=${MATVIB_WIDE:+1} '(NR + 1) % (every ? every : 3) == 0 || /^(021|drawn-(3[23]|4[26789]|50))\.csv/' >"$list"
+	awk -v every=${MATVIB_WIDE:+1} '(NR + 1) % (every ? every : 3) == 0 || /^(021|drawn-(3[23]|4[26789]|5[0678]))\.csv/' >"$list"
 tables=$(wc -l <"$list")
 cut -d'|' -f4 "$list" | sort -u >settings
 while read -r scenario sets; do
