@@ -352,11 +352,11 @@ static void mesh_factors(const Dispersion *wave, ModeOnMesh *mode)
 {
     const double filter = sqrt(wave->filter);
     int n = 0;
-    mode->factors[n++] = (ModeFactor){"mesh K", "lumped masses on linear springs",
-                                      wave->space_only / (filter * wave->moves * mode->exact)};
-    mode->factors[n++] = (ModeFactor){"filter F", "what the way to nodes and back leaves", filter};
+    mode->factors[n++] =
+        (ModeFactor){"mesh K", "lumped mass matrix", wave->space_only / (filter * wave->moves * mode->exact)};
+    mode->factors[n++] = (ModeFactor){"filter F", "low-pass filter of the mapping", filter};
     if (wave->moves != 1)
-        mode->factors[n++] = (ModeFactor){"masses T", "nodal velocity over p/m", wave->moves};
+        mode->factors[n++] = (ModeFactor){"masses T", "effect of the mass blend", wave->moves};
     mode->factors[n++] = (ModeFactor){"dt", NULL, wave->frequency / wave->space_only};
     mode->n_factors = n;
 }

@@ -118,11 +118,11 @@ static double percent(double ratio)
 
 enum { NOTE_TEXT = 320 };
 
-/* "= mesh K (1-1.33 %) x filter F (1-2.96 %)": they multiply, so their errors do not quite add up. */
+/* "= mesh K -1.33 %, filter F -2.96 %": factors multiply, so their errors do not quite add up. */
 static void append_factor(char line[NOTE_TEXT], const char *name, double value)
 {
-    text_append(line, NOTE_TEXT, LONG_SHORT("%s %s (1%+.2f %%)", "%s (1%+.2f%%)%s"), line[0] ? " x" : "=",
-                name, percent(value), line[0] ? "" : "=", percent(value), text_last_word(name));
+    text_append(line, NOTE_TEXT, LONG_SHORT("%s %s %+.2f %%", "%s (1%+.2f%%)%s"), line[0] ? "," : "=", name,
+                percent(value), line[0] ? "" : "=", percent(value), text_last_word(name));
 }
 
 /* "mode 5: measured -4.24 %, predicted -4.24 %" and where it comes from; in brief "pred" and letters. */
