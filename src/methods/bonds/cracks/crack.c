@@ -46,7 +46,7 @@ static Region region_of(const Beam *beam)
 /* A cracked node of the region, outside the protected zones. */
 static bool is_cracked(const Beam *beam, const Region *region, int i, int j)
 {
-    size_t node = (size_t)j * (size_t)beam->lattice.nx + (size_t)i;
+    size_t node = lattice_node(&beam->lattice, i, j);
     if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node])
         return false;
     double x = lattice_x(&beam->lattice, i);
@@ -60,7 +60,7 @@ static bool row_centre(const Beam *beam, int j, double *centre)
     double sum = 0, weights = 0;
     for (int i = region.from; is_above_notch(beam, j) && i < region.end; i++)
         if (is_cracked(beam, &region, i, j)) {
-            double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
+            double damage = beam->damage[lattice_node(&beam->lattice, i, j)];
             sum += damage * lattice_x(&beam->lattice, i);
             weights += damage;
         }
@@ -88,7 +88,7 @@ static bool find_tip(const Beam *beam, double *x, double *y)
     for (int j = beam->lattice.ny - 1; j >= 0 && is_above_notch(beam, j); j--) {
         double most = 0;
         for (int i = region.from; i < region.end; i++) {
-            double damage = beam->damage[(size_t)j * (size_t)beam->lattice.nx + (size_t)i];
+            double damage = beam->damage[lattice_node(&beam->lattice, i, j)];
             if (is_cracked(beam, &region, i, j) && damage > most) {
                 most = damage;
                 *x = lattice_x(&beam->lattice, i);

@@ -27,15 +27,14 @@ static size_t front_node(const Beam *beam, int axis, int line, int across)
 {
     ASSERT_INDEX(line, front_lines(beam, axis));
     ASSERT_INDEX(across, front_lines(beam, 1 - axis));
-    const size_t nx = (size_t)beam->lattice.nx;
-    return axis == 0 ? (size_t)across * nx + (size_t)line : (size_t)line * nx + (size_t)across;
+    return axis == 0 ? lattice_node(&beam->lattice, line, across)
+                     : lattice_node(&beam->lattice, across, line);
 }
 
 int front_line_of(const Beam *beam, int axis, size_t node)
 {
     ASSERT_INDEX(node, lattice_nodes(&beam->lattice));
-    const size_t nx = (size_t)beam->lattice.nx;
-    return (int)(axis == 0 ? node % nx : node / nx);
+    return (axis == 0 ? lattice_column : lattice_row)(&beam->lattice, node);
 }
 
 /* The first line beyond a front's end, in its direction; and whether the plate has a line. */

@@ -177,9 +177,9 @@ static int front_of_node(const Growth *growth, uint32_t node)
     for (int k = 0; k < 2 * lattice->n_offsets; k++) {
         const Offset *offset = &lattice->offsets[k / 2];
         const int sign = k % 2 ? -1 : 1, other_i = i + sign * offset->p, other_j = j + sign * offset->q;
-        if (other_i < 0 || other_i >= lattice->nx || other_j < 0 || other_j >= lattice->ny)
+        if (!lattice_has(lattice, other_i, other_j))
             continue;
-        const int f = growth->front_of[(size_t)other_j * (size_t)lattice->nx + (size_t)other_i];
+        const int f = growth->front_of[lattice_node(lattice, other_i, other_j)];
         const double away = math_hypot(offset->p, offset->q) * lattice->spacing;
         if (f != FRONT_NONE && (away < least || (away == least && f < nearest)))
             least = away, nearest = f;

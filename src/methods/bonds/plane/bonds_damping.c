@@ -83,30 +83,17 @@ bool beam_set_damping(Beam *beam, Status *status)
     return beam_check_damping(beam->damping, beam->sim.dt, status);
 }
 
-static void brake(Beam *beam, int j, double keep)
+void beam_brake(Beam *beam, int j, bool second)
 {
-    const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
+    ASSERT_INDEX(j, beam->lattice.ny);
+    const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
+    const double half = beam->damping * beam->sim.dt / 2, keep = second ? 1 / (1 + half) : 1 - half;
     const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
     double *vx = beam->nodes.vx + row, *vy = beam->nodes.vy + row;
-    const size_t nx = (size_t)beam->lattice.nx;
-    for (size_t i = 0; i < nx; i++)
+    for (size_t i = 0; beam->damping > 0 && i < nx; i++)
         vx[i] = ahead + keep * (vx[i] - ahead);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; beam->damping > 0 && i < nx; i++)
         vy[i] *= keep;
-}
-
-void beam_brake_first(Beam *beam, int j)
-{
-    ASSERT_INDEX(j, beam->lattice.ny);
-    if (beam->damping > 0)
-        brake(beam, j, 1 - beam->damping * beam->sim.dt / 2);
-}
-
-void beam_brake_second(Beam *beam, int j)
-{
-    ASSERT_INDEX(j, beam->lattice.ny);
-    if (beam->damping > 0)
-        brake(beam, j, 1 / (1 + beam->damping * beam->sim.dt / 2));
 }
 
 /* Written by the thread that has the row, added in the order of rows: the number of threads leaves no trace.

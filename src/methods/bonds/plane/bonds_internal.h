@@ -189,12 +189,11 @@ void beam_keep_strain(Beam *beam); /* the sum of what a sweep over all rows has 
 /* bonds_damping.c */
 bool beam_check_damping(double damping, double dt, Status *); /* false: more than the step can follow */
 bool beam_set_damping(Beam *beam, Status *status);
-void beam_brake_first(Beam *beam, int j); /* before the first half kick of row j, and after the second */
-void beam_brake_second(Beam *beam, int j);
-void beam_note_speeds(Beam *beam, int j); /* of row j at the drift ... */
-void beam_add_speeds(Beam *beam);         /* ... and what comes of them, of rows in turn */
-double beam_weight(const Beam *);         /* of a node upwards, N/m^3 */
-void beam_weigh(Beam *beam, int j);       /* adds the weight of row j to its forces, and a definition's own */
+void beam_brake(Beam *beam, int j, bool second); /* row j before the first half kick, or after the second */
+void beam_note_speeds(Beam *beam, int j);        /* of row j at the drift ... */
+void beam_add_speeds(Beam *beam);                /* ... and what comes of them, of rows in turn */
+double beam_weight(const Beam *);                /* of a node upwards, N/m^3 */
+void beam_weigh(Beam *beam, int j); /* adds the weight of row j to its forces, and a definition's own */
 /* In a state at the end of the step of this number. */
 void beam_look_for_rest(Beam *beam, long step);
 

@@ -91,7 +91,7 @@ static void kick(Beam *beam, int j, double share)
 /* Eq. 9 of row j; held components keep the velocity that they are given, whatever the bonds pull. */
 static void half_kick(Beam *beam, int j, long step)
 {
-    beam_brake_first(beam, j);
+    beam_brake(beam, j, false);
     kick(beam, j, bonds_kick_share(beam->def.stepping, bonds_mistake(beam), false, step));
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
@@ -128,7 +128,7 @@ static void body_force(Beam *beam, int j, long step)
 static void second_kick(Beam *beam, int j, long step)
 {
     kick(beam, j, bonds_kick_share(beam->def.stepping, bonds_mistake(beam), true, step));
-    beam_brake_second(beam, j);
+    beam_brake(beam, j, true);
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);
 }
