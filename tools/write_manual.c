@@ -3,6 +3,7 @@
  *
  * A line "@name argument" of the frame stands for a table; @VERSION@ for the version anywhere. What the
  * tables say is what the program does, so a page cannot fall behind it. */
+#include "panes/panes.h"
 #include "base/text.h"
 #include "cli/cli.h"
 #include "scenario/rows/rows.h"
@@ -196,7 +197,7 @@ static bool write_keys(const char *unused)
         printf(" (");
         say(commands[i].name);
         puts(")");
-        say_line(command_help(&commands[i]));
+        say_line(pane_command_help(&commands[i]));
     }
     heading("Behind :");
     for (int i = 0; i < n_line_verbs; i++) {

@@ -31,8 +31,8 @@ typedef struct Command {
     const char *name;  /* "run-pause": for scripts and the `:` line */
     const char *keys;  /* names separated by spaces: "Space", "] s", "Home 0", "^R", "F1 ?" */
     const char *group; /* heading in the help: "Time", "Stages", "Views", ... */
-    const char *brief; /* at most 8 columns, for the key line: "pause"; NULL: see command_brief() */
-    const char *help;  /* one line; NULL: see command_help() */
+    const char *brief; /* at most 8 columns, for the key line: "pause"; NULL: see pane_command_brief() */
+    const char *help;  /* one line; NULL: see pane_command_help() */
     bool lesson; /* a lesson may ask for it: it changes the laboratory, and opens no question to write */
 } Command;
 
@@ -105,10 +105,6 @@ bool command_set_has(const CommandSet *, CommandId);
 /* The digit of a command that shows a view, 1 to 9; 0: it is another one. */
 int command_digit(CommandId);
 CommandId command_of_digit(int digit);
-
-/* What the bar and the help say of a command: of a digit, what its view says. NULL: no view has it. */
-const char *command_brief(const Command *);
-const char *command_help(const Command *);
 
 const Command *command_find(CommandId id);
 const Command *command_by_name(const char *name);

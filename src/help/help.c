@@ -5,7 +5,6 @@
 #include "help/help_text.h"
 #include "panes/panes.h"
 #include "scenario/settings.h"
-#include "views/view.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -62,7 +61,7 @@ static void put_key(HelpLines *written, int width, const char *keys, const char 
     const char *rest = help;
     if (beside) {
         const size_t length = glyphs_line(help, width - COLUMN, &rest);
-        snprintf(line, sizeof line, "  %-10s %.*s", keys, (int)length, help);
+        snprintf(line, sizeof line, "  %s%*s %.*s", keys, 10 - glyphs_columns(keys), "", (int)length, help);
     } else {
         snprintf(line, sizeof line, "  %s", keys);
     }
@@ -79,8 +78,8 @@ static void write_keys(HelpLines *written, int width)
                 put_line(written, STYLE_NORMAL, "");
             put_line(written, STYLE_HEADING, group = commands[i].group);
         }
-        if (command_help(&commands[i]))
-            put_key(written, width, commands[i].keys, command_help(&commands[i]));
+        if (pane_command_help(&commands[i]))
+            put_key(written, width, commands[i].keys, pane_command_help(&commands[i]));
     }
     put_line(written, STYLE_NORMAL, "");
     put_line(written, STYLE_HEADING, "Behind :");
@@ -89,6 +88,24 @@ static void write_keys(HelpLines *written, int width)
         snprintf(line, sizeof line, "  %s %s", line_verbs[i].name, line_verbs[i].arguments);
         put_line(written, STYLE_NORMAL, line);
         put_text(written, STYLE_NORMAL, width, 13 < width / 3 ? 13 : 4, line_verbs[i].help);
+    }
+}
+
+/* What the key line offers, in full. */
+static void write_offers(HelpLines *written, int width, const Screen *screen)
+{
+    KeyOffer offers[KEY_OFFERS_MAX];
+    const int count = pane_key_offers(screen, offers);
+    put_line(written, STYLE_HEADING, "Keys of this screen");
+    for (int i = 0; i < count; i++) {
+        const KeyOffer *offer = &offers[i];
+        const char *help = pane_command_help(offer->command),
+                   *other = offer->pair ? pane_command_help(offer->pair) : NULL;
+        char keys[32], text[256];
+        snprintf(keys, sizeof keys, "%s%s%s", offer->keys[0], offer->pair ? " " : "", offer->keys[1]);
+        snprintf(text, sizeof text, "%s%s%s", help ? help : offer->word, other ? "; " : "",
+                 other ? other : "");
+        put_key(written, width, keys, text);
     }
 }
 
@@ -184,19 +201,7 @@ static void write_page(HelpLines *written, const Screen *screen, int page, int s
     written->used = 0;
     written->count = 0;
     if (page == 0) {
-        /* The five keys that matter. */
-        static const struct {
-            const char *keys, *help;
-        } first[] = {
-            {"Space", "runs and pauses"},
-            {"]", "goes on by one stage of a time step, with its equation and numbers; [ goes back"},
-            {"Left Right", "change the marked parameter; Up and Down mark another one"},
-            {"T", "lessons, from the first time step on"},
-            {"o", "other scenarios"},
-        };
-        put_line(written, STYLE_HEADING, "Five keys to begin with");
-        for (size_t i = 0; i < sizeof first / sizeof *first; i++)
-            put_key(written, width, first[i].keys, first[i].help);
+        write_offers(written, width, screen);
         put_line(written, STYLE_NORMAL, "");
         /* What there is to see: the caption has room for its first sentences only. */
         const Settings *settings = experiment_settings(screen->experiment);
@@ -308,18 +313,4 @@ void help_draw(const Screen *screen, Area area)
     for (int y = 0; y < room && first + y < written.count; y++)
         area_text(area, 1, 1 + y, written.text + written.lines[first + y].at,
                   first + y + 1 == screen->help->found ? STYLE_SELECTED : written.lines[first + y].style);
-}
-
-/* --- the words of a command ----------------------------------------------------------------------- */
-
-const char *command_brief(const Command *command)
-{
-    const View *view = view_of_digit(command_digit(command->id));
-    return view ? view->brief : command->brief;
-}
-
-const char *command_help(const Command *command)
-{
-    const View *view = view_of_digit(command_digit(command->id));
-    return view ? view->help : command->help;
 }

@@ -4,6 +4,7 @@
 #include "panes/panes.h"
 #include "run/playback.h"
 #include "scenario/settings.h"
+#include "views/view.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -21,11 +22,9 @@ typedef struct Offer {
 #define AS(command, word) PAIR(command, NONE, word)
 #define KEY(command)      PAIR(command, NONE, NULL)
 
-enum { OFFERS_MAX = 12 };
-
 /* What the bar offers, what matters most first; ended by COMMAND_NONE where there are fewer. */
 typedef struct Offers {
-    Offer all[OFFERS_MAX];
+    Offer all[KEY_OFFERS_MAX];
 } Offers;
 
 static const Offers running_keys = {{KEY(RUN_PAUSE), PAIR(FASTER, SLOWER, "speed"), KEY(NEXT_PANE),
@@ -97,12 +96,11 @@ static const Offers *offers_of_fields(const Screen *screen)
     return NULL;
 }
 
+/* Help aside, of which the first page tells them. */
 static const Offers *offers_of(const Screen *screen)
 {
     const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
     const RunState state = screen->playback->state;
-    if (screen->help->open)
-        return &help_keys;
     if (screen->parameters->edit.open)
         return &editing_keys;
     if (state == STATE_COMPUTING)
@@ -119,6 +117,18 @@ static const Offers *offers_of(const Screen *screen)
     if (state == STATE_ENDED || state == STATE_FAILED)
         return &ended_keys;
     return in_fields ? &paused_parameters_keys : &paused_keys;
+}
+
+const char *pane_command_brief(const Command *command)
+{
+    const View *view = view_of_digit(command_digit(command->id));
+    return view ? view->brief : command->brief;
+}
+
+const char *pane_command_help(const Command *command)
+{
+    const View *view = view_of_digit(command_digit(command->id));
+    return view ? view->help : command->help;
 }
 
 /* A key's name as the bar shows it: short. In ASCII no "<", for that is the key of ten steps. */
@@ -141,10 +151,10 @@ static const char *word_of(const Screen *screen, const Command *command)
     if (command->id == COMMAND_SHEET)
         return parameter_sheet_words[screen_is_plain(screen) ? SHEET_FULL : SHEET_PLAIN];
     if (command->id != COMMAND_RUN_PAUSE)
-        return command_brief(command);
+        return pane_command_brief(command);
     return playback->state == STATE_RUNNING                                    ? "pause"
            : playback->state == STATE_ENDED || playback->state == STATE_FAILED ? "again"
-                                                                               : command_brief(command);
+                                                                               : pane_command_brief(command);
 }
 
 enum { KEYS_OF_ONE_PANE = 80 };
@@ -179,38 +189,55 @@ static const Offer *offer_at(const Offer *offers, int count, int width, int plac
     return &offers[brought(pane, PANE_PLACE, brought(help, HELP_PLACE, place))];
 }
 
+static bool describe_offer(const Screen *screen, const Offer *offer, KeyOffer *out)
+{
+    *out = (KeyOffer){.command = command_find(offer->id), .pair = command_find(offer->pair)};
+    if (!out->command || (offer->pair != COMMAND_NONE && !out->pair))
+        return false;
+    const Command *const both[] = {out->command, out->pair};
+    for (int k = 0; k < 2 && both[k]; k++) {
+        char key[COMMAND_KEY_MAX];
+        command_first_key(both[k], key);
+        snprintf(out->keys[k], COMMAND_KEY_MAX, "%s", short_key(screen, key));
+    }
+    out->word = offer->word ? offer->word : word_of(screen, out->command);
+    return true;
+}
+
+int pane_key_offers(const Screen *screen, KeyOffer out[KEY_OFFERS_MAX])
+{
+    const Offer *offers = offers_of(screen)->all;
+    int count = 0;
+    for (int i = 0; i < KEY_OFFERS_MAX && offers[i].id != COMMAND_NONE; i++)
+        count += describe_offer(screen, &offers[i], &out[count]);
+    return count;
+}
+
 /* Lays the offers out from the left; draws them if `area` is not NULL. Returns the command at column x. */
 static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, int wanted_x)
 {
-    const Offer *offers = offers_of(screen)->all;
+    const Offer *offers = (screen->help->open ? &help_keys : offers_of(screen))->all;
     int count = 0, x = 1;
-    while (count < OFFERS_MAX && offers[count].id != COMMAND_NONE)
+    while (count < KEY_OFFERS_MAX && offers[count].id != COMMAND_NONE)
         count++;
     CommandId found = COMMAND_NONE;
     for (int i = 0; i < count; i++) {
-        const Offer *offer = offer_at(offers, count, width, i);
-        const Command *command = command_find(offer->id), *pair = command_find(offer->pair);
-        if (!command || (offer->pair != COMMAND_NONE && !pair))
+        KeyOffer offer;
+        if (!describe_offer(screen, offer_at(offers, count, width, i), &offer))
             continue;
-        char key[COMMAND_KEY_MAX], other[COMMAND_KEY_MAX] = "";
-        command_first_key(command, key);
-        if (pair)
-            command_first_key(pair, other);
-        const char *first = short_key(screen, key), *second = short_key(screen, other);
-        const char *word = offer->word ? offer->word : word_of(screen, command);
-        int first_columns = glyphs_columns(first),
-            keys = first_columns + (pair ? 1 + glyphs_columns(second) : 0);
-        int columns = keys + 1 + glyphs_columns(word);
+        const int first = glyphs_columns(offer.keys[0]),
+                  keys = first + (offer.pair ? 1 + glyphs_columns(offer.keys[1]) : 0);
+        const int columns = keys + 1 + glyphs_columns(offer.word);
         if (x + columns > width - 1)
             continue;
         if (area) {
-            area_text(*area, x, 0, first, STYLE_KEY);
-            if (pair)
-                area_text(*area, x + first_columns + 1, 0, second, STYLE_KEY);
-            area_text(*area, x + keys + 1, 0, word, STYLE_TITLE);
+            area_text(*area, x, 0, offer.keys[0], STYLE_KEY);
+            area_text(*area, x + first + 1, 0, offer.keys[1], STYLE_KEY);
+            area_text(*area, x + keys + 1, 0, offer.word, STYLE_TITLE);
         }
         if (wanted_x >= x && wanted_x < x + columns)
-            found = pair && wanted_x > x + first_columns && wanted_x <= x + keys ? pair->id : command->id;
+            found = offer.pair && wanted_x > x + first && wanted_x <= x + keys ? offer.pair->id
+                                                                               : offer.command->id;
         x += columns + 2;
     }
     return found;

@@ -51,6 +51,20 @@ void pane_question_text(const Screen *, char out[ABOUT_MAX]);
 int pane_asked_rows(const Screen *);
 
 void pane_keys(const Screen *, Area);
+
+/* What the bar and the help say of a command: of a digit, what its view says. NULL: no view has it. */
+const char *pane_command_brief(const Command *);
+const char *pane_command_help(const Command *);
+
+/* What the key line offers on this screen, help aside: a command, perhaps with another one that shares its
+ * word, their keys as the line has them, and the word. Returns how many. */
+enum { KEY_OFFERS_MAX = 12 };
+typedef struct KeyOffer {
+    const Command *command, *pair; /* pair: NULL: none */
+    char keys[2][COMMAND_KEY_MAX];
+    const char *word;
+} KeyOffer;
+int pane_key_offers(const Screen *, KeyOffer out[KEY_OFFERS_MAX]);
 void pane_parameters(const Screen *, Area);
 int pane_parameters_first(const ParametersShown *shown, int count,
                           int room); /* row at the top of so much room */

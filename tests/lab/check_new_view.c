@@ -146,9 +146,9 @@ START_TEST(scenarios_help_and_figures_know_it)
     ck_assert_str_eq(
         status.text,
         "view.lower: log is not allowed (profile, probe, beam, new-view, needy, rows, or 1 to 9)");
-    ck_assert_str_eq(command_help(command_find(command_of_digit(9))), view_new.help);
-    ck_assert_str_eq(command_brief(command_find(command_of_digit(9))), "new");
-    ck_assert_ptr_null(command_help(command_find(command_of_digit(3))));
+    ck_assert_str_eq(pane_command_help(command_find(command_of_digit(9))), view_new.help);
+    ck_assert_str_eq(pane_command_brief(command_find(command_of_digit(9))), "new");
+    ck_assert_ptr_null(pane_command_help(command_find(command_of_digit(3))));
 
     Bench *bench = open_bench("mode1", true);
     Screen *screen = &bench->lab.screen;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A canvas keeps what is put on it, inside its bounds; commands are found by name and key. */
+#include "panes/panes.h"
 #include "suite.h"
 #include "picture/canvas.h"
 #include "help/command.h"
@@ -144,9 +145,9 @@ START_TEST(commands_are_unambiguous)
         const Command *command = &commands[i];
         ck_assert_ptr_eq(command_find(command->id), command);
         ck_assert_ptr_eq(command_by_name(command->name), command);
-        ck_assert_msg(glyphs_columns(command_brief(command)) <= 8, "%s: %s", command->name,
-                      command_brief(command));
-        ck_assert_msg(glyphs_columns(command_help(command)) <= 84, "%s: help is long", command->name);
+        ck_assert_msg(glyphs_columns(pane_command_brief(command)) <= 8, "%s: %s", command->name,
+                      pane_command_brief(command));
+        ck_assert_msg(glyphs_columns(pane_command_help(command)) <= 84, "%s: help is long", command->name);
         char keys[64];
         ck_assert_uint_lt(strlen(command->keys), sizeof keys);
         strcpy(keys, command->keys);

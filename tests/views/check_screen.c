@@ -542,7 +542,7 @@ START_TEST(the_help_holds_every_command)
     ck_assert_msg(scene_open(&scene, "mode1 120x200 0 help 0", &status), "%s", status.text);
     char *text = canvas_dump(&scene.canvas);
     for (int i = 0; i < n_commands; i++) {
-        ck_assert_msg(strstr(text, command_help(&commands[i])) != NULL, "%s is not in the help",
+        ck_assert_msg(strstr(text, pane_command_help(&commands[i])) != NULL, "%s is not in the help",
                       commands[i].name);
         ck_assert_msg(strstr(text, commands[i].keys) != NULL, "the keys %s are not", commands[i].keys);
     }

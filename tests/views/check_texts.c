@@ -147,7 +147,7 @@ START_TEST(what_matters_has_room)
     scene.help.open = true;
     draw_at(&scene, 80, 24);
     text = canvas_dump(&scene.canvas);
-    ck_assert_ptr_nonnull(strstr(text, "Five keys to begin with\n   Space"));
+    ck_assert_ptr_nonnull(strstr(text, "Keys of this screen\n   Space"));
     free(text);
     scene_close(&scene);
 }

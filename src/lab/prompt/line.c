@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
+#include "panes/panes.h"
 #include "lab/prompt/prompt.h"
 #include "lab/laboratory.h"
 #include "scenario/concern_output.h"
@@ -261,7 +262,7 @@ static bool help_on(Laboratory *lab, const char *words)
     else if (command) {
         char key[COMMAND_KEY_MAX];
         command_first_key(command, key);
-        laboratory_tell(lab, "%s (%s): %s", command->name, key, command_help(command));
+        laboratory_tell(lab, "%s (%s): %s", command->name, key, pane_command_help(command));
     } else if (parameter)
         laboratory_tell(lab, "%s: %s", parameter->key, parameter->help);
     else if (scenario_builtin(words) && scenario_title(scenario_builtin(words), title))
