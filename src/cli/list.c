@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib list [SCENARIO]`: the built-in scenarios with their titles, or what one is about; `matvib lesson
- * --list`: the lessons. */
+ * --list`: the lessons with their minutes. */
 #include "cli/cli.h"
 #include "base/visible.h"
 #include "scenario/settings.h"
@@ -50,7 +50,8 @@ int cli_list_lessons(void)
     for (builtin = builtin_lessons; builtin->name; builtin++)
         width = strlen(builtin->name) > width ? strlen(builtin->name) : width;
     for (builtin = builtin_lessons; builtin->name; builtin++)
-        printf("%-*s  %s\n", (int)width, builtin->name, builtin->title);
+        printf("%-*s  %3s min  %s\n", (int)width, builtin->name, builtin->minutes ? builtin->minutes : "",
+               builtin->title);
     return STATUS_DONE;
 }
 

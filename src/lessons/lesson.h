@@ -6,6 +6,9 @@
  *
  *     @title TEXT           @about TEXT             of the lesson, before its first page
  *     @group WORD           under which lists have it
+ *     @objective TEXT       what a student can do after it: "choose a mass matrix"
+ *     @prerequisites NAME, NAME ...   lessons to be read before
+ *     @minutes N            in class
  *     @page TITLE           a page begins
  *     @do LINE              what the laboratory does when the page is opened, as behind `:`; not every line
  *     @field KEY            a parameter to be changed beside the text
@@ -16,7 +19,7 @@
  *     @until CONDITION      the goal: step N | time T | end | crossing | break | touch | event | rest |
  *                           stage N | command NAME | value KEY VALUE
  *     @variant KEY from A to B   sets a parameter to a value of the student's own; "{KEY}" in a text is that
- *     @variant KEY from WORD, WORD ...   the same of a choice; a mistake is made, but not told
+ *     @variant KEY from WORD, WORD ...   the same of a choice; a mistake is made, but not shown
  *     @right TEXT if KEY is WORD, WORD ...   right for those whose variant is one of these;
  *                           several, each for some
  *     @answer EXPRESSION within TOLERANCE   in place of choices: a number (exercise.h)
@@ -61,7 +64,7 @@ enum { LESSON_CHOICES_MAX = 4, LESSON_FIELDS_MAX = 3, LESSON_PAGES_MAX = 64, LES
 
 /* A part of a page: shown, and done. */
 typedef struct LessonPart {
-    char *text; /* paragraphs parted by '\n'; NULL: none */
+    char *text; /* paragraphs separated by '\n'; NULL: none */
     char **actions;
     int n_actions;
 } LessonPart;
@@ -109,21 +112,23 @@ typedef struct LessonVariant {
 } LessonVariant;
 
 typedef struct Lesson {
-    char *title, *about; /* one line each */
-    char *group;         /* under which lists have it; NULL: none */
+    char *title, *about;                       /* one line each */
+    char *group;                               /* under which lists have it; NULL: none */
+    char *objective, *prerequisites, *minutes; /* NULL: not given */
     LessonPage *pages;
     int n_pages;
     LessonVariant variants[LESSON_VARIANTS_MAX];
     int n_variants;
     uint64_t version; /* of its lines, and of those of the scenario files that it opens, without comments:
-                         tells one text of a lesson from another */
+                         distinguishes one text of a lesson from another */
 } Lesson;
 
 /* A lesson that is part of the program, from data/lessons. */
 typedef struct BuiltinLesson {
     const char *name; /* "one-step" */
     const char *text;
-    const char *title, *about, *group; /* as its text says them; NULL: it does not */
+    const char *title, *about, *group, *objective, *prerequisites,
+        *minutes; /* as its text says them; NULL: it does not */
     int n_pages;
 } BuiltinLesson;
 

@@ -11,6 +11,7 @@
 #include "run/stop.h"
 #include "scenario/parameters.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,6 +53,19 @@ static bool keep(Reader *reader, char **where, const char *text)
 READS(read_title, keep(reader, &reader->lesson->title, text))
 READS(read_about, keep(reader, &reader->lesson->about, text))
 READS(read_group, keep(reader, &reader->lesson->group, text))
+READS(read_objective, keep(reader, &reader->lesson->objective, text))
+READS(read_prerequisites, keep(reader, &reader->lesson->prerequisites, text))
+
+static bool read_minutes(Reader *reader, const char *text)
+{
+    enum { MINUTES_MOST = 600 };
+    double minutes;
+    if (!text_to_double(text, &minutes) || !(minutes >= 1 && minutes <= MINUTES_MOST) ||
+        floor(minutes) != minutes)
+        return status_refuse(reader->status, "@minutes %.40s: not a whole number from 1 to %d", text,
+                             MINUTES_MOST);
+    return keep(reader, &reader->lesson->minutes, text);
+}
 
 /* What must and must not stand on one page. */
 static bool judge_page(const Reader *reader, const LessonPage *page, Status *status)
@@ -64,17 +78,17 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
     if (page->question && !asks && (page->n_choices < 2 || page->right < 0))
         return status_refuse(
             status,
-            "the question of page \"%.40s\" wants two choices at least, one of them @right, or "
+            "the question of page \"%.40s\" needs two choices at least, one of them @right, or "
             "@answer or @words",
             page->title);
     if (page->question && asks && page->n_choices > 0)
         return status_refuse(status, "the question of page \"%.40s\" has choices and @%s (one of them)",
                              page->title, exercise == EXERCISE_NUMBER ? "answer" : "words");
     if (exercise == EXERCISE_GOAL && page->solution.n_actions == 0)
-        return status_refuse(status, "the goal of page \"%.40s\" wants a way to it (@solve LINE)",
+        return status_refuse(status, "the goal of page \"%.40s\" needs a way to it (@solve LINE)",
                              page->title);
     if (exercise != EXERCISE_GOAL && page->solution.n_actions > 0)
-        return status_refuse(status, "page \"%.40s\" solves (@solve) what is no @goal", page->title);
+        return status_refuse(status, "page \"%.40s\" has @solve without @goal", page->title);
     if (page->points > 0 && lesson_exercise(page) == EXERCISE_NONE)
         return status_refuse(status, "page \"%.40s\" has points (@points), but no exercise", page->title);
     if (!page->question && reveals && page->until.kind == UNTIL_NOTHING)
@@ -94,7 +108,7 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
         for (int k = 0; k < page->n_choices; k++)
             right += page->if_words[k] && variant_has_word(page->if_words[k], drawn->variant.words[i]);
         if (right != 1)
-            return status_refuse(status, "page \"%.40s\" has %d right choices for %s = %s (one is wanted)",
+            return status_refuse(status, "page \"%.40s\" has %d right choices for %s = %s (one is expected)",
                                  page->title, right, page->if_key, drawn->variant.words[i]);
     }
     return !drawn || drawn->variant.n_words > 0 ||
@@ -175,7 +189,7 @@ static bool read_variant(Reader *reader, const char *text)
     LessonPart *part = reader->part;
     char line[KEY_MAX + 8];
     if (part != &reader->page->first)
-        return status_refuse(reader->status, "@variant stands before @reveal");
+        return status_refuse(reader->status, "@variant belongs before @reveal");
     if (lesson->n_variants == LESSON_VARIANTS_MAX)
         return status_refuse(reader->status, "too many variants (at most %d)", LESSON_VARIANTS_MAX);
     LessonVariant *variant = &lesson->variants[lesson->n_variants];
@@ -355,14 +369,25 @@ static const struct {
     bool of_page;
     Wants wants;
 } words[] = {
-    {"title", read_title, false, WANTS_TEXT},  {"about", read_about, false, WANTS_TEXT},
-    {"group", read_group, false, WANTS_TEXT},  {"page", read_page, false, WANTS_TEXT},
-    {"do", read_do, true, WANTS_TEXT},         {"field", read_field, true, WANTS_TEXT},
-    {"ask", read_ask, true, WANTS_TEXT},       {"choice", read_choice, true, WANTS_TEXT},
-    {"right", read_right, true, WANTS_TEXT},   {"reveal", read_reveal, true, WANTS_NOTHING},
-    {"until", read_until, true, WANTS_TEXT},   {"variant", read_variant, true, WANTS_TEXT},
-    {"answer", read_answer, true, WANTS_TEXT}, {"words", read_words, true, WANTS_NOTHING},
-    {"goal", read_goal, true, WANTS_TEXT},     {"solve", read_solve, true, WANTS_TEXT},
+    {"title", read_title, false, WANTS_TEXT},
+    {"about", read_about, false, WANTS_TEXT},
+    {"group", read_group, false, WANTS_TEXT},
+    {"objective", read_objective, false, WANTS_TEXT},
+    {"prerequisites", read_prerequisites, false, WANTS_TEXT},
+    {"minutes", read_minutes, false, WANTS_TEXT},
+    {"page", read_page, false, WANTS_TEXT},
+    {"do", read_do, true, WANTS_TEXT},
+    {"field", read_field, true, WANTS_TEXT},
+    {"ask", read_ask, true, WANTS_TEXT},
+    {"choice", read_choice, true, WANTS_TEXT},
+    {"right", read_right, true, WANTS_TEXT},
+    {"reveal", read_reveal, true, WANTS_NOTHING},
+    {"until", read_until, true, WANTS_TEXT},
+    {"variant", read_variant, true, WANTS_TEXT},
+    {"answer", read_answer, true, WANTS_TEXT},
+    {"words", read_words, true, WANTS_NOTHING},
+    {"goal", read_goal, true, WANTS_TEXT},
+    {"solve", read_solve, true, WANTS_TEXT},
     {"points", read_points, true, WANTS_TEXT},
 };
 
@@ -419,8 +444,11 @@ static bool read_line(Reader *reader, char *line)
     if (!visible_is_clean(line))
         return status_refuse(reader->status, "is not text in UTF-8");
     Lesson *lesson = reader->lesson;
-    if (strncmp(line, "@group ", 7) == 0) /* where it is listed is no part of what was read and recorded */
-        return read_word(reader, line + 1);
+    /* what a list says of a lesson does not change what was read and recorded */
+    static const char *const listed[] = {"@group ", "@objective ", "@prerequisites ", "@minutes "};
+    for (size_t i = 0; i < sizeof listed / sizeof *listed; i++)
+        if (strncmp(line, listed[i], strlen(listed[i])) == 0)
+            return read_word(reader, line + 1);
     if (*line == '#')
         return true;
     lesson->version = hash_bytes(hash_bytes(lesson->version, line, strlen(line)), "\n", 1);
@@ -443,7 +471,7 @@ bool lesson_read(FILE *stream, const char *name, LessonJudge may_do, Lesson *les
         else if (!(sound = read_line(&reader, line)))
             status_prefix(status, "%s:%ld", name, lines.number);
     if (sound && (!lesson->title || lesson->n_pages == 0))
-        sound = status_refuse(status, "%s: is not a lesson (@title and a @page are wanted)", name);
+        sound = status_refuse(status, "%s: is not a lesson (@title and a @page are expected)", name);
     else if (sound && !end_page(&reader)) {
         status_prefix(status, "%s", name);
         sound = false;
@@ -490,5 +518,8 @@ void lesson_free(Lesson *lesson)
     free(lesson->title);
     free(lesson->about);
     free(lesson->group);
+    free(lesson->objective);
+    free(lesson->prerequisites);
+    free(lesson->minutes);
     *lesson = (Lesson){0};
 }

@@ -3,6 +3,7 @@
  * and in the last row what is to be done to go on. */
 #include "panes/panes.h"
 #include "lessons/lesson_shown.h"
+#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -32,7 +33,28 @@ static void write_paragraphs(Scribe *pen, const char *text, Style style)
     }
 }
 
-/* In groups, each under its name. */
+static void write_indented(Scribe *pen, const char *text)
+{
+    const int width = pen->area.rect.width - 5, lines = area_paragraph_lines(width, text);
+    area_paragraph(pen->area, 4, pen->y, width, lines, text, STYLE_FAINT);
+    pen->y += lines;
+}
+
+/* "After it a student can choose a mass matrix. 15 min. First: late." */
+static void write_objective(Scribe *pen, const BuiltinLesson *lesson)
+{
+    char text[512] = "";
+    if (lesson->objective)
+        text_append(text, sizeof text, "After it a student can %s. ", lesson->objective);
+    if (lesson->minutes)
+        text_append(text, sizeof text, "%s min. ", lesson->minutes);
+    if (lesson->prerequisites)
+        text_append(text, sizeof text, "First: %s.", lesson->prerequisites);
+    if (*text)
+        write_indented(pen, text);
+}
+
+/* In groups, each under its name; of the chosen lesson its objective too. */
 static void write_list(Scribe *pen, const Screen *screen)
 {
     const char *group = "";
@@ -55,11 +77,10 @@ static void write_list(Scribe *pen, const Screen *screen)
         const int most = width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
         area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson->title, style);
         area_text_right(pen->area, width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
-        if (lesson->about && (chosen || pen->about)) {
-            const int lines = area_paragraph_lines(width - 5, lesson->about);
-            area_paragraph(pen->area, 4, pen->y, width - 5, lines, lesson->about, STYLE_FAINT);
-            pen->y += lines;
-        }
+        if (lesson->about && (chosen || pen->about))
+            write_indented(pen, lesson->about);
+        if (chosen)
+            write_objective(pen, lesson);
         pen->end = pen->y;
     }
 }

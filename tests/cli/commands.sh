@@ -154,7 +154,7 @@ refuse "laboratory: unknown option" '--pause: unknown option (did you mean --pau
 refuse "laboratory: unknown scenario" 'mode11: no such scenario or file (did you mean mode1?)' mode11
 : >empty
 refuse "a lesson that there is not" 'one-stop: no such lesson or file (did you mean one-step?)' lesson one-stop --script empty
-"$MATVIB" lesson --list >lessons && grep -q '^one-step  *One step of MPM$' lessons
+"$MATVIB" lesson --list >lessons && grep -q '^one-step  * 15 min  One step of MPM$' lessons
 result "lesson --list tells the names" test $? -eq 0
 refuse "a command that went" 'export-lammps: is gone (what agreed with LAMMPS, and how, is in matvib-checks(7))' export-lammps notched-beam
 refuse "a slip in a command" 'rnu: no such command, scenario or file (did you mean run?)' rnu mode1
@@ -190,7 +190,7 @@ refuse "a script with an unknown instruction" \
 printf '[scenario]\nproblem = bar\n[mesh]\n cell_size = 0.5\n' >bad.ini
 refuse "a damaged file" 'bad.ini:4: cell_size: is indented (keys begin in the first column)' show bad.ini
 printf '[scenario]\nproblem = b\000ar\n' >bad.ini
-refuse "a NUL byte" 'bad.ini:2: holds a zero byte (text is wanted)' show bad.ini
+refuse "a NUL byte" 'bad.ini:2: holds a zero byte (text is expected)' show bad.ini
 printf '[scenario]\nproblem = bar\n' >show
 "$MATVIB" show ./show >out 2>err
 result "a file that is named like a command" says out '^problem = bar$'
@@ -224,7 +224,7 @@ result "a closed pipe: no signal" test "$(cat status)" -le 1
 mkfifo pipe
 for words in 'show pipe' 'run pipe' 'lesson pipe' '--replay pipe' 'mode1 --script pipe'; do
 	# shellcheck disable=SC2086
-	refuse "$words" 'pipe: is a pipe or a device (a file is wanted)' $words
+	refuse "$words" 'pipe: is a pipe or a device (a file is expected)' $words
 done
 printf 'key :\ntype overlay pipe\nkey Enter\nexpect is a pipe or a device\n' >over
 expect "an overlay" 0 mode1 --paused --script over

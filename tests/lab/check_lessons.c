@@ -31,14 +31,19 @@ START_TEST(a_lesson_is_read)
     Lesson lesson;
     Status status;
     ck_assert_msg(
-        read_text("# mine\n@title A title\n@about More of it\n@group Bar\n\n@page One\n@do open mode5\n"
-                  "@field mesh.cell_size\nFirst\nline.\n\nSecond.\r\n@until value mesh.cell_size 0.5\n"
-                  "@page Two\n@ask Why?\n@choice so\n@right  thus \n@reveal\n@do pin\nBecause.\n",
-                  &lesson, &status),
+        read_text(
+            "# mine\n@title A title\n@about More of it\n@group Bar\n@objective use it\n@prerequisites late\n"
+            "@minutes 15\n\n@page One\n@do open mode5\n"
+            "@field mesh.cell_size\nFirst\nline.\n\nSecond.\r\n@until value mesh.cell_size 0.5\n"
+            "@page Two\n@ask Why?\n@choice so\n@right  thus \n@reveal\n@do pin\nBecause.\n",
+            &lesson, &status),
         "%s", status.text);
     ck_assert_str_eq(lesson.title, "A title");
     ck_assert_str_eq(lesson.about, "More of it");
     ck_assert_str_eq(lesson.group, "Bar");
+    ck_assert_str_eq(lesson.objective, "use it");
+    ck_assert_str_eq(lesson.prerequisites, "late");
+    ck_assert_str_eq(lesson.minutes, "15");
     ck_assert_int_eq(lesson.n_pages, 2);
     const LessonPage *one = &lesson.pages[0], *two = &lesson.pages[1];
     ck_assert_str_eq(one->title, "One");
@@ -94,15 +99,17 @@ END_TEST
 static const struct {
     const char *text, *says;
 } wrong[] = {
-    {"", "my.lesson: is not a lesson (@title and a @page are wanted)"},
-    {"@title x\n", "my.lesson: is not a lesson (@title and a @page are wanted)"},
+    {"", "my.lesson: is not a lesson (@title and a @page are expected)"},
+    {"@title x\n", "my.lesson: is not a lesson (@title and a @page are expected)"},
     {"text\n", "my.lesson:1: text belongs to a page (@page TITLE)"},
     {"@title\n", "my.lesson:1: @title: something is missing after it"},
     {"@do x\n", "my.lesson:1: @do belongs to a page (@page TITLE)"},
     {"@title x\n@page y\n@title z\n", "my.lesson:3: @title belongs before the first page"},
-    {"@titel x\n",
-     "my.lesson:1: @titel is not known (@title | @about | @group | @page | @do | @field | @ask | @choice | "
-     "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve | @points)"},
+    {"@minutes 15 min\n", "my.lesson:1: @minutes 15 min: not a whole number from 1 to 600"},
+    {"@minutes 0.5\n", "my.lesson:1: @minutes 0.5: not a whole number from 1 to 600"},
+    {"@titel x\n", "my.lesson:1: @titel is not known (@title | @about | @group | @objective | @prerequisites "
+                   "| @minutes | @page | @do | @field | @ask | @choice | "
+                   "@right | @reveal | @until | @variant | @answer | @words | @goal | @solve | @points)"},
     {"@title x\n@page y\n@field mesh.size\n",
      "my.lesson:3: mesh.size is not a parameter (see: matvib params)"},
     {"@title x\n@page y\n@until then\n", "my.lesson:3: until what? (step N | time T | stage N | end | "
@@ -116,10 +123,10 @@ static const struct {
     {"@title x\n@page y\n@choice a\n", "my.lesson:3: a choice comes after its question (@ask)"},
     {"@title x\n@page y\n@ask a\n@right b\n@right c\n", "my.lesson:5: one choice only is right"},
     {"@title x\n@page y\n@ask a\n@right b\n@page z\n",
-     "my.lesson:5: the question of page \"y\" wants two choices at least, one of them @right, or @answer or "
+     "my.lesson:5: the question of page \"y\" needs two choices at least, one of them @right, or @answer or "
      "@words"},
     {"@title x\n@page y\n@ask a\n@choice b\n@choice c\n",
-     "my.lesson: the question of page \"y\" wants two choices at least, one of them @right, or @answer or "
+     "my.lesson: the question of page \"y\" needs two choices at least, one of them @right, or @answer or "
      "@words"},
     {"@title x\n@page y\n@reveal\n",
      "my.lesson: page \"y\" reveals, but neither asks (@ask) nor waits for anything (@until)"},
@@ -161,14 +168,14 @@ static const struct {
     {"@title x\n@page y\n@ask a\n@answer error within 1 %\n@reveal\n@do open mode5\n@page z\n",
      "my.lesson:7: page \"y\" asks about a run that no page up to it opens (@do open SCENARIO)"},
     {"@title x\n@page y\n@do open mode5\n@goal error < 1\n",
-     "my.lesson: the goal of page \"y\" wants a way to it (@solve LINE)"},
-    {"@title x\n@page y\n@solve pin\n", "my.lesson: page \"y\" solves (@solve) what is no @goal"},
+     "my.lesson: the goal of page \"y\" needs a way to it (@solve LINE)"},
+    {"@title x\n@page y\n@solve pin\n", "my.lesson: page \"y\" has @solve without @goal"},
     {"@title x\n@page y\n@until end\n@goal error < 1\n",
      "my.lesson:4: a page has one goal (@until or @goal)"},
     {"@title x\n@page y\n@goal error < 1\n@until end\n",
      "my.lesson:4: a page has one goal (@until or @goal)"},
     {"@title x\n@page y\n@goal error\n",
-     "my.lesson:3: @goal: a relation (< <= > >= = !=) is wanted, not: the end of the line"},
+     "my.lesson:3: @goal: a relation (< <= > >= = !=) is expected, not: the end of the line"},
     {"@title x\n@page y\n@goal error < 1\n@solve write a\n",
      "my.lesson:4: @solve: write: a lesson may not (it changes the laboratory only)"},
     {"@title x\n@page y\n@variant initial.mode\n",
@@ -178,7 +185,7 @@ static const struct {
     {"@title x\n@page y\n@variant mpm.shape from 1 to 2\n",
      "my.lesson:3: @variant: mpm.shape: 1 is none of its words (see: matvib params)"},
     {"@title x\n@page y\n@variant mpm.shape from hat\n",
-     "my.lesson:3: @variant: mpm.shape: two words at least are wanted to draw from"},
+     "my.lesson:3: @variant: mpm.shape: two words at least are expected to draw from"},
     {"@title x\n@page y\n@variant mpm.shape from hat, gimp, hat\n",
      "my.lesson:3: @variant: mpm.shape: hat listed twice"},
     {"@title x\n@page y\n@variant mpm.mistake from none, no_volume\n",
@@ -187,10 +194,10 @@ static const struct {
      "my.lesson:4: if mpm.shape: there is no @variant of it above"},
     {"@title x\n@page y\n@variant mpm.shape from hat, gimp\n@ask a\n@right b if mpm.shape is hat\n@choice "
      "c\n",
-     "my.lesson: page \"y\" has 0 right choices for mpm.shape = gimp (one is wanted)"},
+     "my.lesson: page \"y\" has 0 right choices for mpm.shape = gimp (one is expected)"},
     {"@title x\n@page y\n@variant mpm.shape from hat, gimp\n@ask a\n@right b if mpm.shape is hat, gimp\n"
      "@right c if mpm.shape is gimp\n",
-     "my.lesson: page \"y\" has 2 right choices for mpm.shape = gimp (one is wanted)"},
+     "my.lesson: page \"y\" has 2 right choices for mpm.shape = gimp (one is expected)"},
     {"@title x\n@page y\n@variant mpm.shape from hat, gimp\n@ask a\n@right b\n@right c if mpm.shape is hat\n",
      "my.lesson:6: one choice only is right"},
     {"@title x\n@page y\n@variant initial.mode from 2 to 3\n@ask a\n@right b if initial.mode is 2\n@choice "
@@ -201,10 +208,10 @@ static const struct {
     {"@title x\n@page y\n@variant bar.density from -1 to 2\n",
      "my.lesson:3: @variant: bar.density: from -1 to 2 is more than is allowed (see: matvib params)"},
     {"@title x\n@page y\n@ask a\n@words\n@reveal\n@variant initial.mode from 2 to 3\n",
-     "my.lesson:6: @variant stands before @reveal"},
+     "my.lesson:6: @variant belongs before @reveal"},
     {"@title x\n@page y\n{initial.mode}\n", "my.lesson:3: {initial.mode}: there is no @variant of it above"},
     {"@title x\n@page y\n@do !rm\n",
-     "my.lesson:3: @do: !rm: unknown (a command, KEY=VALUE or a time is wanted)"},
+     "my.lesson:3: @do: !rm: unknown (a command, KEY=VALUE or a time is expected)"},
 };
 
 START_TEST(what_is_wrong_is_told_with_its_line)
@@ -231,8 +238,8 @@ static const LessonPage *page_of(const Bench *bench)
     return &shown->lesson->pages[shown->page];
 }
 
-/* Steps that a page of a beam or a plate may take to where it shows its run, where not everything is wanted:
- * one that shows a later time is left on its way there. */
+/* Steps that a page of a beam or a plate may take to where it shows its run, where not everything is
+ * requested: one that shows a later time is left on its way there. */
 enum { NEAR_STEPS = 50 };
 
 static bool only_near; /* of the test case that runs */
@@ -249,14 +256,15 @@ static void finish_work(Bench *bench)
         frame(bench);
 }
 
-/* The study of convergence on the screen, which takes seconds: where not everything is wanted it is left. */
+/* The study of convergence on the screen, which takes seconds: where not everything is requested it is left.
+ */
 static void finish_study(Bench *bench)
 {
     while (suite_wide() && refining_is_due(&bench->lab))
         refining_work(&bench->lab);
 }
 
-/* Whether more of the run is wanted than may be computed. */
+/* Whether more of the run is needed than may be computed. */
 static bool is_far(const Bench *bench, double time)
 {
     const Experiment *experiment = bench->lab.screen.experiment;
@@ -627,8 +635,8 @@ START_TEST(every_page_is_entered_in_one_state)
             press(bench, !whole || (now->n_fields > 0 && now->until.kind == UNTIL_NOTHING) ? "n" : "Enter");
     }
     keep_close(kept, name, !only_near);
-    /* backwards, and leaving pages out: where not everything is wanted, each lesson one of both, in the short
-     * form each on a bar, and of beams the pages that are near */
+    /* backwards, and leaving pages out: where not everything is requested, each lesson one of both, in the
+     * short form each on a bar, and of beams the pages that are near */
     const bool turned = line || suite_wide();
     const bool back = suite_long() || (turned && _i % 2 == 0),
                leaving = suite_long() || (turned && _i % 2 != 0);
@@ -688,7 +696,8 @@ static void close_field(Bench *bench)
 /* Whoever knows Enter, n, b, digits and arrows alone comes from the first page to the last, on both sheets:
  * nothing is refused, no key leads out of the lesson, and each question that a key opens another one closes.
  * Pages on their way are left out, for they are not waited for where only what is near is computed.
- * Where not everything is wanted each lesson is read on one of the sheets, in the short form each on a bar.
+ * Where not everything is requested each lesson is read on one of the sheets, in the short form each on a
+ * bar.
  */
 START_TEST(few_keys_lead_through)
 {
