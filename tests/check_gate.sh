@@ -21,7 +21,7 @@ wanted=$(for library in lib*.a; do
 	case $library in libsuite.a | libfuzz*) ;; *) nm -A --undefined-only "$library" 2>/dev/null ;; esac
 done | awk '{ sub(/:$/, "", $1); print $1, $NF }' | sed 's/ _/ /; s/@.*//')
 main=$(nm --undefined-only src/main.o 2>/dev/null | awk '{ print "main.o", $NF }')
-only() { # SYMBOLS ALLOWED NAME: those symbols are wanted by the allowed object files only
+only() { # SYMBOLS ALLOWED NAME: those symbols are needed by the allowed object files only
 	found=$(printf '%s\n%s\n' "$wanted" "$main" | grep -E " ($1)(64)?\$" | grep -v -E "^($2) ")
 	judge "$3"
 }

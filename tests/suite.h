@@ -26,7 +26,7 @@ const char *source_path(const char *relative);
  * MATVIB_REGENERATE in the environment: the file is written anew. `what` names it in the message. */
 void suite_compare(const char *relative, const char *text, const char *what);
 
-/* Whether every case is wanted (MATVIB_WIDE is set, as check-long does). Where it is not, a test that
+/* Whether every case is requested (MATVIB_WIDE is set, as check-long does). Where it is not, a test that
  * crosses bodies, sizes and glyphs takes a part of the crossings, always the same and each of them once. */
 bool suite_wide(void);
 /* Or every repetition of them too: MATVIB_LONG, which check-long sets. */

@@ -107,7 +107,7 @@ static void write_arguments(void)
 
 enum { IN_LINE = 6 }; /* names in a line of a long list */
 
-/* The words of a command that are no options. */
+/* The words of a command that are not options. */
 static void write_words(void)
 {
     begin_words("_matvib_scenarios");

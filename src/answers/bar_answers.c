@@ -309,7 +309,7 @@ static int modes_shown(const BarTheory *theory, const BarWatch *watch, int modes
     return count;
 }
 
-/* Under a load, or with several modes in motion, the column is no pure cosine: its other lines are fitted
+/* Under a load, or with several modes in motion, the column is not a pure cosine: its other lines are fitted
  * beside, at the frequencies that the mesh gives them, else the continuum. The strain energy oscillates twice
  * as fast as each mode, and under a load as fast as it too. */
 static void set_lines(BarWatch *watch, const Settings *settings, const BarTheory *theory,

@@ -47,7 +47,7 @@ double bar_start(double x, const void *theory);
 double bar_start_slope(double x, const void *theory);  /* its slope */
 double bar_start_stress(double x, const void *theory); /* the stress of a pulse */
 
-/* The mode that is watched: the first that moves and is no rigid motion; else 0. */
+/* The mode that is watched: the first that moves and is not a rigid motion; else 0. */
 int bar_watched_mode(const BarTheory *);
 
 /* Which column shows the frequency, and the exact one; what is predicted is not known yet. */

@@ -233,7 +233,7 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
     const double expected = out->predicted_known ? out->predicted : out->real_size;
     readout_fit(rows, n_rows, n_columns, plan_find(refs, "u_probe"), 2 * M_PI / expected, &(double){1}, 1,
                 out);
-    if (damping > 0) { /* one fit tells period and decay */
+    if (damping > 0) { /* one fit gives period and decay */
         if (isfinite(out->decay_measured))
             out->kept_measured = oscillation_kept(out->decay_measured, 2 * M_PI / out->exact);
         return;
@@ -323,7 +323,7 @@ double beam_moving_section(const References *refs, const char *field, double x, 
     return NAN;
 }
 
-/* How well half a sine between two zeros explains the rows y_k there, and how well these tell its period T:
+/* How well half a sine between two zeros explains the rows y_k there, and how well these give its period T:
  *
  *     y ~ A sin(w (t - t_1)) + B sin(2 w (t - t_1)),  w = pi/(t_2 - t_1),  A = sum y sin/sum sin^2, B
  * likewise R2 = 1 - sum r^2/sum (y - mean)^2,   s^2 = sum r^2/(n - 2),   sigma_T = 2 sqrt(2) s/(|A| w)

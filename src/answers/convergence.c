@@ -132,7 +132,8 @@ static bool refine_methods(const Settings *base, int k, Settings *out)
 }
 
 /* T over theory's as delta -> 0 with m kept and nothing corrected. The surface's defect vanishes then; what
- * stays is that the sum over so few nodes is no integral. Its moduli are those of long waves along its rows,
+ * stays is that the sum over so few nodes does not approximate the integral. Its moduli are those of long
+ * waves along its rows,
  *
  *     C11 = 9E/8 (c_L/c_L0)^2,   C12 = C66 = 3E/8 (c_T/c_T0)^2,   T/T_0 = sqrt(E/(C11 - C12^2/C11))
  *

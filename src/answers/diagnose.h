@@ -3,7 +3,7 @@
  * first entry that departs; then beside the run of every mistake, other scheme and other value that there is
  * (rows of the parameter table), simplest first, each dropped where it departs.
  *
- * What an entry can tell is bounded by how it is written (the significant digits and decimal places of its
+ * The accuracy of an entry is bounded by how it is written (the significant digits and decimal places of its
  * column) and by the round-off in which two right codes differ. */
 #ifndef ANSWERS_DIAGNOSE_H
 #define ANSWERS_DIAGNOSE_H
@@ -29,7 +29,7 @@ typedef struct DiagnoseColumn {
     double scale;                /* that of the reading alone: a sign, a unit, a mass */
     double natural;              /* the largest number of this unit at t = 0, in our units */
     double terms; /* size of the single-precision numbers whose differences it holds, as x - x0; 0: none */
-    bool silent;  /* it is empty, zero, or copied: it tells nothing */
+    bool silent;  /* it is empty, zero, or copied: it has no information */
 } DiagnoseColumn;
 
 /* The rows of one step, or of one stage of it. */
@@ -56,16 +56,16 @@ typedef struct DiagnoseTable {
     double scenario_dt;
     size_t particles; /* or nodes, of the scenario's run */
     double spacing,
-        spacing_bound;   /* of its times as they are written, where they alone tell the step; else 0 */
+        spacing_bound;   /* of its times as they are written, where they alone give the step; else 0 */
     double time_factor;  /* they times it are ours */
     double head_factor;  /* likewise as the unit in their head says; 0: it has none */
     int step_column;     /* of the file; -1: none */
     bool half;           /* its times are those of half steps */
     long shift;          /* its row of step n holds what the run has after step n + shift */
     double otherwise;    /* another time step with which a right code has these few digits; 0: none */
-    double dt;           /* that its times tell, by so much more or less: */
+    double dt;           /* by its times, by so much more or less: */
     double dt_bound;     /* what is written with few digits leaves it open */
-    bool timed;          /* they tell one */
+    bool timed;          /* they give one */
     int time_column;     /* of the file: its times, or else its steps */
     double noise;        /* round-off of two right codes after a step, as a share of a column's size */
     double noise_growth; /* and what each further step adds, as a share of that */
@@ -105,7 +105,8 @@ typedef struct Explanation {
     char where[200];      /* of a mistake: stage and equation; else "" */
     char stage[24];       /* and the stage's id */
     char scheme[128];     /* of that code: "USL, gimp" */
-    char apart[160]; /* the run that tells it from the first explanation, or the right code; "": none of */
+    char apart[160]; /* the run that distinguishes it from the first explanation, or the right code; "": none
+                        of */
     char set[2 * KEY_MAX]; /* "mesh.cell_size=0.5", with which that is; "": no other setting is needed */
     int compared;          /* that were made of both */
     int digits;
@@ -119,7 +120,7 @@ typedef enum DiagnoseVerdict {
     DIAGNOSE_EXPLAINED, /* they are those of other codes */
     DIAGNOSE_UNKNOWN,   /* of no code that was tried */
     DIAGNOSE_COPIED,    /* of no run: of the exact answer */
-    DIAGNOSE_MUTE       /* there is nothing that tells anything */
+    DIAGNOSE_MUTE       /* no column has any information */
 } DiagnoseVerdict;
 
 enum { EXPLANATIONS_MAX = 40 };
@@ -130,7 +131,7 @@ typedef struct Diagnosis {
     size_t agreed;         /* with the right run, from the first on */
     long agreed_step;      /* up to which; -1: none */
     int digits;            /* of that agreement */
-    bool naive;            /* it is no better than the round-off of a bond's |y| - |xi| */
+    bool naive;            /* it is as inexact as the round-off of a bond's |y| - |xi| */
     Departure departure;
     char agreeing[160]; /* where some depart: the columns that change, and agree in all rows; "": none */
     double farthest;    /* the largest departure of all, as a share of its column's size */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What else could have made a foreign code's numbers (diagnose_internal.h): every mistake, every other choice
- * of a scheme, every value beside the scenario's, all from the parameter table; and which run tells two of
- * them apart. */
+ * of a scheme, every value beside the scenario's, all from the parameter table; and which run distinguishes
+ * two of them apart. */
 #include "answers/diagnose_internal.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
@@ -400,9 +400,10 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     }
 }
 
-/* --- telling two apart ---------------------------------------------------------------------------------- */
+/* --- distinguishing two ----------------------------------------------------------------------------------
+ */
 
-enum { LOOK = 12, COLUMNS_MOST = 64 }; /* so many steps tell any two codes apart that differ */
+enum { LOOK = 12, COLUMNS_MOST = 64 }; /* so many steps distinguish any two codes that differ */
 
 /* One of two codes that run side by side. */
 typedef struct Code {
@@ -545,7 +546,8 @@ void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
     out->compared = 1;
     if (differ(a, b, table, false, name)) {
         snprintf(out->apart, size,
-                 column_of_file(table, name) ? "more rows or digits of %s tell" : "the column %s tells",
+                 column_of_file(table, name) ? "more rows or digits of %s distinguish them"
+                                             : "the column %s distinguishes them",
                  name);
         return;
     }
@@ -567,7 +569,7 @@ void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
             if (!differ(&others[0], &others[1], table, true, name))
                 continue;
             text_append(out->set, sizeof out->set, "%s=%s", parameter->key, value);
-            text_append(out->apart, size, "--set %s tells", out->set);
+            text_append(out->apart, size, "--set %s distinguishes them", out->set);
             return;
         }
     }

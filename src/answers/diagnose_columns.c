@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the columns of a foreign table are worth, once the right run has been laid beside them
- * (diagnose_internal.h): their sizes, and those that tell nothing, for they are empty, zero,
+ * (diagnose_internal.h): their sizes, and those without information, which are empty, zero,
  * copied, or no numbers. */
 #include "answers/diagnose_internal.h"
 
@@ -62,7 +62,7 @@ static bool is_copy(const Search *search, int c, const double *answers)
     return other > 0 && counted > 1;
 }
 
-/* A column that never changes in the right run, as a mass: beside copied ones it tells of no run. */
+/* A column that never changes in the right run, as a mass: beside copied ones it identifies no run. */
 bool diagnose_is_still(const Search *search, int c)
 {
     const DiagnoseTable *table = search->table;
@@ -183,7 +183,7 @@ static void size_from_rest(Search *search)
             table->columns[c].natural = size[table->columns[c].group];
 }
 
-/* Empty columns and zeros. Returns how many tell something. */
+/* Empty columns and zeros. Returns how many are left. */
 static int silence(Search *search)
 {
     DiagnoseTable *table = search->table;

@@ -41,8 +41,8 @@ bool diagnose_walk(Walk *, const Settings *, int threads, Cancel, Status *);
 /* A unit of the last digit with which a number of a column of the file is written. */
 double diagnose_last_digit(const OverlayColumn *, double number);
 
-/* What an entry of a column can tell at a step: half a unit of its last digit, or the round-off of numbers of
- * that size. */
+/* The information in an entry of a column at a step: half a unit of its last digit, or the round-off of
+ * numbers of that size. */
 double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double theirs, double size, long step);
 
 /* Gives settings the time step of the file. False: they do not allow it; the status may say why. */
@@ -115,8 +115,8 @@ void diagnose_name_factor(double factor, double tolerance, const Settings *, cha
 bool diagnose_find_value(const DiagnoseTask *, const DiagnoseTable *, const Departure *, const Parameter *,
                          const TimeSettings *own_step, double *value, long *tried);
 
-/* Fills in the run that tells two codes apart, one that was made: a column that the file has not, or another
- * setting of both. */
+/* Fills in the run that distinguishes two codes, one that was made: a column that the file has not, or
+ * another setting of both. */
 void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTable *, Explanation *);
 
 /* One file and what is found of it. */
@@ -169,10 +169,11 @@ bool diagnose_read_as(DiagnoseTable *, const DiagnoseReading *);
 double diagnose_time_of(const DiagnoseTable *, size_t moment);
 
 /* diagnose_columns.c: after the first walk along the right run. Leaves out what is not a number, finds sizes,
- * silences what tells nothing; the verdict is UNKNOWN if something tells. False: there is no memory. */
+ * silences columns without information; the verdict is UNKNOWN if any column is left. False: there is no
+ * memory. */
 bool diagnose_judge_columns(Search *);
 
-/* Whether a column never changes in the right run, as a mass: beside others it tells of no run. */
+/* Whether a column never changes in the right run, as a mass: beside others it identifies no run. */
 bool diagnose_is_still(const Search *, int column);
 
 /* diagnose_round_off.c: whether all numbers that are written with more digits than single precision has are

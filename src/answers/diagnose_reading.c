@@ -97,7 +97,7 @@ typedef struct Source {
     int series, field; /* of the simulation; one of them is -1 */
     size_t thing;
     double factor;
-    size_t agreed, telling; /* entries; of them those that are no round-off */
+    size_t agreed, telling; /* entries; of them those above round-off */
     bool over, first;       /* it departs; its first entry that is not 0 agrees */
     double off;             /* its largest difference beyond the digits written, over its size */
 } Source;
@@ -210,7 +210,7 @@ enum {
     TRIAL_TIMES_MAX = 40,
     OTHERS_ROWS_LEAST = 5
 };
-#define TOLERANCE 2e-6 /* a reading is told from another by more than single precision */
+#define TOLERANCE 2e-6 /* two readings are distinguished by more than single precision */
 #define FINE      1e-9 /* or, where its numbers are finer, by as much as that of a scheme from another's */
 
 typedef struct Trial {
@@ -250,7 +250,7 @@ typedef struct Trials {
 static bool is_given(const DiagnoseTable *table, int c)
 {
     const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
-    const double most = fmax(fabs(column->least), fabs(column->largest)); /* of what may be no number */
+    const double most = fmax(fabs(column->least), fabs(column->largest)); /* of what may not be finite */
     return most > 0 && !(isinf(column->least) && isinf(column->largest));
 }
 
@@ -369,7 +369,7 @@ static bool go_along(Trials *trials, Simulation *sim)
     return true;
 }
 
-/* Whether a column whose name tells nothing agrees with a source by more than chance. */
+/* Whether a column whose name says nothing agrees with a source by more than chance. */
 static bool is_evidence(const DiagnoseTable *table, int c, const Source *source)
 {
     enum { ENTRIES = 3, DIGITS = 4 };
@@ -576,7 +576,7 @@ static bool try_code(Trials *trials, const DiagnoseReading *reading, const Setti
     return true;
 }
 
-/* Beside right codes of all schemes, which a file without its start does not tell; or beside each with one
+/* Beside right codes of all schemes, which a file without its start does not show; or beside each with one
  * mistake: the start may be wrong, or what a column is may show only later, as of two particles that begin
  * alike. Passes 0 and 1: codes of few choices, with plain times, then others; 2 and 3: of many. */
 typedef struct Round {
@@ -588,8 +588,8 @@ typedef struct Round {
 static const Round rounds[] = {{false, 0, 3, 3}, {true, 0, 3, 2}, {false, 3, 4, 0}, {true, 3, 4, 0}};
 enum { ROUNDS = sizeof rounds / sizeof *rounds };
 
-/* Whether the columns have our names and begin as those of the right code: what is wrong later is no matter
- * of reading, but for a time step that nothing tells. */
+/* Whether the columns have our names and begin as those of the right code: errors in later rows do not matter
+ * of reading, but for a time step that nothing shows. */
 static bool is_settled(const Trials *trials)
 {
     const DiagnoseTable *table = trials->search->table;
@@ -689,7 +689,7 @@ static bool try_all_times(Trials *trials, bool *found)
     /* the unit in their head first, but for one that --map has given */
     const double told = table->head_factor, first = told > 0 ? told : farther ? 1e-6 : far ? 1e-3 : 1;
     const double factors[] = {first, first == 1 ? 1e-3 : 1, first == 1e-6 ? 1e-3 : 1e-6};
-    static const double steps[] = {2, 5, 0.5, 2.5, 4, 3, 8, 0.2, 0.1, 0.25, 9}; /* where no time tells it */
+    static const double steps[] = {2, 5, 0.5, 2.5, 4, 3, 8, 0.2, 0.1, 0.25, 9}; /* where no time shows it */
     static const int parts[] = {2, 3, 4, 5, 8, 10, 20, 25, 40, 50, 100};
     if (table->step_column >= 0 || table->of_stages || !(table->spacing > 0)) {
         if (!try_times(trials, table->time_factor, table->dt, true, found))
@@ -784,7 +784,7 @@ static int most_firsts(const Trials *trials)
     return most;
 }
 
-/* A start that agrees tells more than many rows of a column that hardly changes. */
+/* A start that agrees is better evidence than many rows of a column that hardly changes. */
 static bool is_likelier(const Trial *one, const Trial *other)
 {
     return one->denied != other->denied ? !one->denied
@@ -877,7 +877,7 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
             trials->nodes = way > 0;
             sound = try_all_times(trials, &found);
         }
-        /* where they are settled, others are for times that nothing tells, when no code explains these; wrong
+        /* where they are settled, others are for times that nothing shows, when no code explains these; wrong
          * codes with a part of the rows' time likewise */
         const bool settled = is_settled(trials),
                    few = !given || begun.file.count * (size_t)begun.n_columns < OTHERS_ROWS_LEAST,

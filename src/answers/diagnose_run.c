@@ -17,7 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- what an entry can tell ----------------------------------------------------------------------------- */
+/* --- the accuracy of an entry -----------------------------------------------------------------------------
+ */
 
 double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column, size_t row)
 {
@@ -124,7 +125,7 @@ static void compare(Walker *walker, size_t row, int c, double ours)
     }
 }
 
-/* The values of things: one by one where few of many are wanted. */
+/* The values of things: one by one where few of many are needed. */
 static double thing_value(const Walker *walker, const Simulation *sim, int field, size_t thing, size_t wanted)
 {
     return wanted * 8 < sim->counts[walker->walk->table->set] ? simulation_value(sim, field, thing)

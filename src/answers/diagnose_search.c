@@ -54,7 +54,7 @@ static bool walk_right(Search *search)
 }
 
 /* Where the file departs it may do so by no more than round-off does that grows, as at a node that hardly has
- * mass. Rows in which that is as large as the numbers tell nothing. */
+ * mass. Rows in which that is as large as the numbers have no information. */
 static bool walk_with_round_off(Search *search)
 {
     size_t moments;
@@ -160,7 +160,7 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         search->of_first = search->right;
         return;
     }
-    if (found->n_explanations > DIAGNOSE_NAMED_MAX + 1) /* which nobody is told */
+    if (found->n_explanations > DIAGNOSE_NAMED_MAX + 1) /* which are not printed */
         return;
     diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
 }
@@ -653,7 +653,7 @@ static bool judge(Search *search, bool wrong)
         return false;
     const bool nearer = take_nearest(search), departs = walk->departure.is || nearer;
     if (departs && found->n_explanations > 0 && found->explanations[0].kind != DIAGNOSE_SCHEME) {
-        search->right = search->of_first; /* what is wrong is told beside the right code of its scheme */
+        search->right = search->of_first; /* what is wrong is reported beside the right code of its scheme */
         if (!walk_right(search))
             return false;
         if (walk->departure.is)
@@ -687,7 +687,7 @@ static bool known_or(Search *search, bool sound, const Diagnosis *before, const 
 }
 
 /* Each way to read the table, the likeliest first, up to one that a right code explains, then to one that a
- * mistake does; else as the first that a value does, or as the first. Where nothing tells the time step but
+ * mistake does; else as the first that a value does, or as the first. Where nothing gives the time step but
  * the numbers, readings with another than the scenario's come after its mistakes: a few digits of a curve fit
  * them both. */
 static bool judge_readings(Search *search, const DiagnoseReading *readings, int count)

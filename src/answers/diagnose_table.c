@@ -764,7 +764,7 @@ static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *columns, cons
 
 /* --- the whole ------------------------------------------------------------------------------------------ */
 
-/* More entries than these tell no more. */
+/* More entries than these add nothing. */
 enum { ENTRIES_MAX = 8000000 };
 
 /* Whether rows hold no number of any column. */

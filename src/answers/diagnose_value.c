@@ -37,7 +37,7 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
 }
 
 /* The change of the value that least squares of the entries asks for; NAN: they do not depend on it. Each
- * entry counts by what it can tell. */
+ * entry counts by its accuracy. */
 static double newton(const Seek *seek, size_t moments, double change)
 {
     const DiagnoseTable *table = seek->table;

@@ -125,7 +125,7 @@ static void tell_departure(const Diagnosis *found, const DiagnoseTable *table, F
     else if (departure->step == 0)
         fputs("  No step is done yet: what is wrong is the start.\n", out);
     else if (departure->moment == 0)
-        fputs("  There is no row before it, so start and loop cannot be told apart.\n", out);
+        fputs("  There is no row before it, so the start and the loop cannot be distinguished.\n", out);
 }
 
 static void tell_agreement(const Diagnosis *found, const DiagnoseTable *table, FILE *out)
@@ -143,8 +143,8 @@ static void tell_agreement(const Diagnosis *found, const DiagnoseTable *table, F
             out, "Your numbers agree with the right code's to %d digits over %s%zu %s (to step %ld).\n",
             found->digits, table->of_stages ? "" : "the first ", found->agreed, rows, found->agreed_step);
     if (found->verdict == DIAGNOSE_RIGHT && found->naive)
-        fputs("More cannot be had where a bond's |y| - |xi| is taken as it stands: that is round-off, no "
-              "mistake.\n",
+        fputs("No more digits are possible where a bond's |y| - |xi| is taken without rearranging: that is "
+              "round-off, not a mistake.\n",
               out);
 }
 
@@ -178,12 +178,12 @@ static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table
         visible_print(out, i == 1 ? "This file cannot tell it from:\n" : "or\n");
         tell_explanation(rival, out);
         if (*rival->apart) {
-            visible_print(out, "  (%s them apart: %s, then\n", rival->apart,
+            visible_print(out, "  (%s: %s, then\n", rival->apart,
                           *rival->set ? "let your code run so" : "let your code write it");
             visible_print(out, "  matvib diagnose %s%s%s %s)\n", scenario, *rival->set ? " --set " : "",
                           rival->set, file);
         } else
-            visible_print(out, "  (none of %d runs of both tells them apart)\n", rival->compared);
+            visible_print(out, "  (none of %d runs of both distinguishes them)\n", rival->compared);
     }
     const int more = found->more + found->n_explanations - DIAGNOSE_NAMED_MAX;
     if (more > 0)
@@ -303,7 +303,7 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const ch
         return;
     }
     if (found->verdict == DIAGNOSE_MUTE) {
-        fputs("This file tells nothing: its columns are empty, or are only round-off even in the right "
+        fputs("This file shows nothing: its columns are empty, or are only round-off even in the right "
               "run.\nWrite an energy, or the velocity of one particle (--template).\n",
               out);
         return;
@@ -322,7 +322,7 @@ void diagnosis_tell(const Diagnosis *found, const DiagnoseTable *table, const ch
     else
         tell_nothing_found(found, table, scenario, out);
     if (found->compared == 1 && found->verdict == DIAGNOSE_RIGHT)
-        fputs("One row is little: it tells of one moment alone.\n", out);
+        fputs("One row is not enough: it shows one moment only.\n", out);
     else if (found->compared < found->rows)
         visible_print(out, "Of its last rows %zu were not compared.\n", found->rows - found->compared);
 }
@@ -338,7 +338,7 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE) {
         text_append(out, size,
                     found->verdict == DIAGNOSE_COPIED ? "Unknown: the exact answer, not a run."
-                                                      : "Unknown: its columns tell nothing.");
+                                                      : "Unknown: its columns show nothing.");
         return;
     }
     const Explanation *right = diagnosis_acquits(found);

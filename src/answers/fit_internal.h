@@ -13,7 +13,7 @@ typedef struct Search {
     bool began;    /* a run has been made: what fails from here on is a step too far */
     bool interrupted;
     bool
-        fixed[FIT_KEYS_MAX]; /* no run can be made beside where a parameter is; why_fixed tells of the last */
+        fixed[FIT_KEYS_MAX]; /* no run can be made beside where a parameter is; why_fixed is about the last */
     Status why_fixed;
     Status why; /* the last run could not be made */
 } Search;
@@ -27,7 +27,7 @@ double fit_chi2(const Search *);                  /* of the run that is made */
 typedef struct Beginning {
     int key;
     double factor, chi2; /* of what it is in the settings */
-    bool alias;          /* the run oscillates there as the data do, or as they cannot tell from it */
+    bool alias;          /* the run oscillates there as the data do, or as they cannot distinguish from it */
 } Beginning;
 
 enum {

@@ -187,9 +187,9 @@ bool fit_data_end(const FitData *data, Settings *settings, Status *status)
  *
  * Of run and data that oscillate, with omega_s ~ p_i^e from two runs, at the p_i whose omega_s is
  * the data's, however far that is; at its aliases |2 pi j/Delta +- omega|, which data whose neighbours are
- * Delta apart cannot tell from it, up to FARTHEST times the frequency of the first run; and at those that
- * differ from each by one oscillation over the record, between which chi^2 has a minimum each. Then at some
- * shares and multiples of each p_i. */
+ * Delta apart cannot distinguish from it, up to FARTHEST times the frequency of the first run; and at those
+ * that differ from each by one oscillation over the record, between which chi^2 has a minimum each. Then at
+ * some shares and multiples of each p_i. */
 
 enum { EVEN = 2048 }; /* points over the record, to find frequencies */
 
@@ -255,7 +255,8 @@ static double frequency_of_run(Search *search, int key, double factor)
     return sound ? frequency_at(search, even, EVEN) : 0;
 }
 
-/* The values of one parameter at which the run oscillates as the data do, or as they cannot tell from it. */
+/* The values of one parameter at which the run oscillates as the data do, or as they cannot distinguish from
+ * it. */
 static void find_aliases(Search *search, int key, double own, double wanted, Beginning *list, int *count)
 {
     const FitTask *task = search->task;

@@ -265,7 +265,7 @@ static bool is_another(const Search *search, const FitMinimum *minimum, const do
     return false;
 }
 
-/* Leaves of all minima those that the data cannot tell from the best:
+/* Leaves of all minima those that the data cannot distinguish from the best:
  *
  *     chi^2 - chi_0^2 <= 3.84 chi_0^2/(n - m) (1 + r)/(1 - r)      95 % of chi^2 with one degree of freedom
  */
@@ -383,9 +383,10 @@ static const struct {
     [FIT_WHITE] = {"they look like noise", "they look like noise of which each datum has its own"},
     [FIT_LASTING] = {"they look like noise that lasts, the intervals allow for it",
                      "they look like noise that lasts from datum to datum; the intervals allow for it"},
-    [FIT_NO_NOISE] = {"they are no noise: the intervals do not hold",
-                      "they are no noise: the data have something that the run has not, and the intervals do "
-                      "not hold"},
+    [FIT_NO_NOISE] =
+        {"they are not noise: the intervals do not hold",
+         "they are not noise: the data have something that the run has not, and the intervals do "
+         "not hold"},
 };
 
 static bool is_fit(const FitResult *result)

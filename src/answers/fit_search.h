@@ -11,8 +11,8 @@
  * chi^2 of what oscillates has a minimum for each number of oscillations by which run and data may differ.
  * The search therefore looks first at other beginnings, begins where chi^2 is least, and again elsewhere as
  * long as what is left does not look like noise; and at each alias of the data's frequency. Minima whose
- * chi^2 is larger by no more than noise makes of one parameter are told. That finds the best of some minima,
- * not surely the least of all. */
+ * chi^2 is larger by no more than noise makes of one parameter are reported. That finds the best of some
+ * minima, not surely the least of all. */
 #ifndef ANSWERS_FIT_SEARCH_H
 #define ANSWERS_FIT_SEARCH_H
 
@@ -52,7 +52,7 @@ typedef struct FitMinimum {
 
 typedef struct FitResult {
     double values[FIT_KEYS_MAX];
-    FitMinimum others[FIT_MINIMA_MAX]; /* that these data cannot tell from it */
+    FitMinimum others[FIT_MINIMA_MAX]; /* that these data cannot distinguish from it */
     int n_others;
     Noise noise;            /* what is left of the data, as noise; the intervals and how they hang together */
     FitLeft left;           /* what it looks like */

@@ -11,7 +11,7 @@
 static const char *const one_dimension[PROFILE_FIELDS] = {"u", "v", "stress", "density", "strain"};
 static const char *const two_dimensions[PROFILE_FIELDS] = {"uy", "vy", "ux", "vx", "damage"};
 
-/* The fields that are told, by number: of a bar along it, of a beam across it first. */
+/* The fields that are listed, by number: of a bar along it, of a beam across it first. */
 const char *profile_field(const Simulation *sim, int i)
 {
     ASSERT_INT(i, >=, 0);

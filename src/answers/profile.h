@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fields of the particles along a bar, or along the middle row of a beam, at one moment: what a picture over
- * x shows of a run, and what is kept of one that is no more. */
+ * x shows of a run, and what is kept of one that has ended. */
 #ifndef ANSWERS_PROFILE_H
 #define ANSWERS_PROFILE_H
 

@@ -16,7 +16,7 @@ typedef struct RunNumber {
     const char *called;                                    /* in words; NULL: as the word */
     /* In large digits, where it stands alone: */
     const char *label;    /* "periods behind"; NULL: it is none that a scenario is about */
-    const char *opposite; /* of a negative one, told without its sign: "periods ahead"; NULL: with it */
+    const char *opposite; /* of a negative one, shown without its sign: "periods ahead"; NULL: with it */
     const char *unit;     /* "mm"; "": none */
     double scale;         /* what there is of that unit in one of the value's own */
     bool of_moment;       /* seen in a picture of one moment, not in one over time */

@@ -40,7 +40,7 @@ typedef struct RunSummary {
     FrontsFacts fronts;
     bool price_known; /* where the crack's energy went */
     CrackPrice price;
-    double rayleigh_speed; /* that of the tip is told beside it */
+    double rayleigh_speed; /* that of the tip is given beside it */
     size_t frames;         /* of tables of particles, nodes, bonds, and for ParaView */
     bool at_rest;          /* it ended where it had come to rest */
     bool failed;

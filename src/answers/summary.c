@@ -44,7 +44,7 @@ static double span_of(RunSummary *summary, double end)
  *
  *     100 (mean of the last span - mean of the first)/(mean of the first)
  *
- * of total less work, unless that is no part of its balance. A run that begins at rest has nothing at first,
+ * of total less work, unless that is not part of its balance. A run that begins at rest has nothing at first,
  * one that is struck next to nothing: then it is a share of the largest work done. Weight does work where the
  * total has a potential, whose zero is anywhere: what it has lost. rows: count x n_columns;
  * nothing is set where there is no energy to speak of. */

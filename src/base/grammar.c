@@ -110,7 +110,7 @@ bool grammar_expect(Grammar *grammar, bool truth, bool wanted)
 {
     return truth == wanted ||
            (wanted ? grammar_refuse(grammar, "a relation (< <= > >= = !=)")
-                   : grammar->dialect->refuse(grammar, NULL, "a number is wanted, not a relation"));
+                   : grammar->dialect->refuse(grammar, NULL, "a number is expected, not a relation"));
 }
 
 static bool read_number_at(Grammar *grammar, GrammarLevel level)

@@ -58,11 +58,11 @@ typedef struct GrammarDialect {
     bool (*word)(Grammar *); /* a letter is at `at` */
     bool (*apply)(Grammar *, GrammarVerb, int power);
 
-    /* NULL, or reads the sign of a relation and what is right of it where that is no sum, as the left side, a
-     * single word, has it. */
+    /* NULL, or reads the sign of a relation and what is right of it where that is not a sum, as the left
+     * side, a single word, has it. */
     bool (*choose)(Grammar *, GrammarVerb, bool *chosen);
 
-    /* Says that the text is wrong: what is wanted in place of `token`; or, `wanted` NULL, what it is. */
+    /* Says that the text is wrong: what is expected in place of `token`; or, `wanted` NULL, what it is. */
     bool (*refuse)(Grammar *, const char *wanted, const char *token);
 } GrammarDialect;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A number that stands for some bytes, the same on every machine: tells one text from another by chance, not
+/* A number that stands for some bytes, the same on every machine: distinguishes two texts by chance, not
  * against somebody who means to deceive.
  *
  * Source: FNV-1a with 64 bits, RFC 9923. */

@@ -35,7 +35,7 @@ static bool is_file(int descriptor, const char *name, long most, Status *status)
     if (errno)
         return cannot_read(name, status);
     if (!S_ISREG(what.st_mode))
-        return status_refuse(status, "%s: is a pipe or a device (a file is wanted)", name);
+        return status_refuse(status, "%s: is a pipe or a device (a file is expected)", name);
     if (what.st_size > most)
         return too_large(name, most, status);
     const int flags = fcntl(descriptor, F_GETFL);
@@ -159,7 +159,7 @@ InputGot input_line(InputLines *lines, char *line, size_t size, Status *status)
         if (length == 0)
             lines->number++;
         if (byte == '\0') {
-            status_refuse(status, "%s:%ld: holds a zero byte (text is wanted)", lines->name, lines->number);
+            status_refuse(status, "%s:%ld: holds a zero byte (text is expected)", lines->name, lines->number);
             return INPUT_WRONG;
         }
         if (length + 1 == size) {

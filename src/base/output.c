@@ -29,7 +29,7 @@ bool output_allowed(Asker asker, const char *name, Status *status)
     case ASKER_SCRIPT:
         return true;
     case ASKER_REPLAY:
-        return status_fail(status, "a session is done again: %s is not written", name);
+        return status_fail(status, "a replay writes no files: %s is not written", name);
     case ASKER_LESSON:
         return status_fail(status, "a lesson writes no files: %s is not written", name);
     case ASKER_NOBODY:
@@ -151,7 +151,7 @@ static bool begins(const char *text, const char *with)
     return strncmp(text, with, strlen(with)) == 0;
 }
 
-/* Whether this program wrote it, as far as its head tells; of one that is empty nothing is lost. */
+/* Whether this program wrote it, as far as its head shows; of one that is empty nothing is lost. */
 static bool is_own(const char *name)
 {
     static const char mark[] = "\xef\xbb\xbf", version[] = "# matvib ", xml[] = "<?xml ";
@@ -490,7 +490,8 @@ void output_close(OutputFile *file)
     *file = (OutputFile){0};
 }
 
-/* --- what is no file written whole -------------------------------------------------------------------- */
+/* --- output that is not a file written whole
+ * -------------------------------------------------------------------- */
 
 void output_make_own_folders(Asker asker, const char *file)
 {

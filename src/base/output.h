@@ -3,7 +3,7 @@
  * a lesson and a session that is done again are files from anybody, so they may write nothing.
  *
  * A file is written whole or not at all: everything goes to a temporary file in the same folder, which takes
- * the name at the end, and file and folder are brought to the disk. What is no regular file (a terminal, a
+ * the name at the end, and file and folder are brought to the disk. What is not a regular file (a terminal, a
  * pipe, /dev/null) is written directly, and so is standard output, "-". */
 #ifndef BASE_OUTPUT_H
 #define BASE_OUTPUT_H
@@ -39,7 +39,7 @@ bool output_is_standard(const char *name); /* "-" */
 bool output_is_direct(const char *name);   /* "-", or a terminal, a pipe, a device: nothing is beside it */
 
 /* Whether a file may be begun: its folder takes files, it does not exist or may be replaced. Nothing is
- * touched. A command line replaces (--force) only what this program wrote, as the first line tells, and never
+ * touched. A command line replaces (--force) only what this program wrote, as the first line shows, and never
  * a file that is read; a person who was asked about the very name replaces any. */
 bool output_may_begin(const char *name, Asker, bool force, Status *);
 
@@ -90,8 +90,8 @@ void output_remove_remains(const char *name);
 /* Takes back what was not committed, and frees. */
 void output_close(OutputFile *);
 
-/* The end of a file that stands alone: what is wanted is finished, gets its name and is closed, else it is
- * taken back. Whether it is there. */
+/* The end of a file that stands alone: what is to be kept is finished, gets its name and is closed, else it
+ * is taken back. Whether it is there. */
 bool output_end(OutputFile *, bool wanted, Status *);
 
 #endif

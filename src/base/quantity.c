@@ -39,7 +39,7 @@ static const struct {
     int tens, bases[BASES];
 } units[] = {{"m", 0, {1, 0, 0}},    {"g", -3, {0, 1, 0}}, {"s", 0, {0, 0, 1}}, {"N", 0, {1, 1, -2}},
              {"Pa", 0, {-1, 1, -2}}, {"J", 0, {2, 1, -2}}, {"W", 0, {2, 1, -3}}};
-/* no Hz: a rate is no count of cycles */
+/* no Hz: a rate is not a count of cycles */
 
 static const struct {
     const char *name;
@@ -268,7 +268,7 @@ static bool read_any(const char *text, const char *unit, double *value, char *wh
         return false;
     }
     if (memcmp(read.bases, none, sizeof none) == 0) {
-        *value = number; /* in whatever unit is wanted */
+        *value = number; /* in whatever unit is needed */
         return true;
     }
     const bool has_unit = read_all(&known, unit);

@@ -68,7 +68,7 @@ void text_append(char *out, size_t size, const char *format, ...) __attribute__(
 void text_append_shell(char *out, size_t size, const char *word);
 
 /* Words separated by spaces, one after the other, cut where `out` is too short; false: there is no more.
- * Items of a list may be parted by commas too. */
+ * Items of a list may be separated by commas too. */
 bool text_next_word(const char **text, char *out, size_t size);
 bool text_next_item(const char **list, char *out, size_t size);
 

@@ -3,7 +3,7 @@
  *
  * A terminal obeys bytes, and a reader believes what he sees. So whatever comes from outside and goes to a
  * terminal passes here, where everything that would act or hide instead of being seen is written out:
- * "\x1b" for a control byte and for bytes that are no UTF-8, "\u202e" for a control of the upper half (C1),
+ * "\x1b" for a control byte and for bytes that are not UTF-8, "\u202e" for a control of the upper half (C1),
  * for what turns the direction of writing (U+061C, 200E, 200F, 202A-202E, 2066-2069), for what has no width
  * (U+200B-200D, 2060, FEFF, ...) and for line ends other than a newline. The written form is for eyes: a
  * backslash stands for itself, so it does not always read back.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A progress bar with the time that is left, drawn ten times a second at most and only on a terminal; it
- * also tells a long command to stop when a signal came (cli.h). */
+ * also stops a long command when a signal came (cli.h). */
 #include "cli/cli.h"
 #include "base/wait.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib diagnose SCENARIO FILE...`: which mistake, scheme or value made the numbers of somebody's own code.
- * One file is told at length, many by a line each; the threads of a pool take one file after the other. */
+ * One file is reported at length, many by a line each; the threads of a pool take one file after the other.
+ */
 #include "answers/diagnose.h"
 #include "base/output.h"
 #include "base/text.h"
@@ -88,7 +89,7 @@ static bool work_all(Files *all, Status *status)
 
 enum { CELL_MAX = 400 };
 
-/* What is told of a file: the first of them are the table's columns. */
+/* What is reported of a file: the first of them are the table's columns. */
 typedef enum Cell {
     CELL_NAME,
     CELL_VERDICT,

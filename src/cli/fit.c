@@ -198,7 +198,7 @@ int cli_fit(Options *options, Status *status)
     bool sound = (keys || status_fail(status, "out of memory")) &&
                  (fit_data_keys(keys, &task, status) || (status_prefix(status, "--vary"), false)) &&
                  solve(options, &settings, &data, &task, &result, &progress, status);
-    const bool found = sound; /* what took long is told, whatever becomes of the files */
+    const bool found = sound; /* what took long is printed, whatever becomes of the files */
     sound = sound && (!options->output || write_table(options, &task, &result, status)) &&
             (!options->figure || draw(options, &data, &result, &progress, status));
     progress_end(&progress);

@@ -29,8 +29,8 @@ static bool is_instruction(const char *line)
     return false;
 }
 
-/* A file is what its first line says that is no comment: sessions begin with their scenario, scripts with an
- * instruction. */
+/* The first line that is not a comment says what a file is: sessions begin with their scenario, scripts with
+ * an instruction. */
 static Source source_of(const char *word, Status *status)
 {
     Status ignored = {0};

@@ -24,7 +24,7 @@
 enum { HOMEWORK_FILE_MAX = 512 };
 
 typedef struct HomeworkFile {
-    char student[STUDENT_MAX], id[STUDENT_MAX]; /* "": not told */
+    char student[STUDENT_MAX], id[STUDENT_MAX]; /* "": not given */
     char file[HOMEWORK_FILE_MAX];               /* "": nothing is kept */
 } HomeworkFile;
 

@@ -62,7 +62,7 @@ typedef struct OptionList {
 
 /* What a command line came to; what was not given is 0, or what is usual. */
 typedef struct Options {
-    const char *words[WORDS_MAX]; /* arguments that are no options */
+    const char *words[WORDS_MAX]; /* arguments that are not options */
     int n_words;
     char **arguments; /* all, as they were given */
     int n_arguments;

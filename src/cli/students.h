@@ -15,7 +15,7 @@ typedef struct Students {
     bool listed; /* a list of the class was read first */
 } Students;
 
-/* One of the list of the class, of whom a row tells even if no session comes. */
+/* One of the list of the class, of whom there is a row even if no session comes. */
 bool students_enrol(Students *, const char *name, const char *id, Status *);
 
 /* Who has the same name, and no other ID, is the same student; so is who has the ID of one of the list. A

@@ -87,7 +87,7 @@ bool command_line_for_lessons(const char *text, Status *status)
     const LineMeaning line = line_meaning(text);
     const char *name = line.verb ? line.verb->name : line.command ? line.command->name : text;
     if (line.kind == LINE_UNKNOWN)
-        return status_refuse(status, "%.40s: unknown (a command, KEY=VALUE or a time is wanted)", name);
+        return status_refuse(status, "%.40s: unknown (a command, KEY=VALUE or a time is expected)", name);
     if ((line.verb && !line.verb->lesson) || (line.command && !line.command->lesson))
         return status_refuse(status, "%s: a lesson may not (it changes the laboratory only)", name);
     return true;

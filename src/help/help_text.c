@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passages of the help: one set for each kind of simulation, told apart by what it has. */
+/* The passages of the help: one set for each kind of simulation, distinguished by what it has. */
 #include "help/help_text.h"
 
 /* --- words of the curves --------------------------------------------------------------------------- */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the help tells of a problem and its method: the words of its curves, and what is solved. */
+/* What the help says of a problem and its method: the words of its curves, and what is solved. */
 #ifndef HELP_HELP_TEXT_H
 #define HELP_HELP_TEXT_H
 

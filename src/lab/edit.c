@@ -67,7 +67,7 @@ static void return_to_time(Laboratory *lab)
 void edit_changed(Laboratory *lab)
 {
     lab->editing.changed = true;
-    /* it told of the run as it was */
+    /* it described the run as it was */
     lab->screen.summary = NULL;
     player_forget_rates(&lab->player); /* a step may take longer now */
     laboratory_say(lab, MESSAGE_NONE, "%s", "");

@@ -84,7 +84,7 @@ bool fitting_answer(Laboratory *lab, const char *words)
     int y = -1;
     snprintf(list, sizeof list, "%s", words);
     if (!lab->screen.overlay || lab->overlay.along)
-        return prompt_refuse(lab, "a series over time is wanted first: overlay FILE.csv");
+        return prompt_refuse(lab, "load a series over time first: overlay FILE.csv");
     if (!(task.column = series_of(lab, &y)))
         return prompt_refuse(lab, "the overlay has no column of this run's series");
     char column[OVERLAY_NAME_MAX];
@@ -163,7 +163,7 @@ bool fitting_diagnose(Laboratory *lab, const char *words)
     const bool sound = *path ? ((table && found) || status_fail(&status, "out of memory")) &&
                                    diagnose_read(table, path, &settings, NULL, &status) &&
                                    diagnose(&task, table, found, &status)
-                             : status_refuse(&status, "a file is wanted: diagnose FILE.csv");
+                             : status_refuse(&status, "a file is expected: diagnose FILE.csv");
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);

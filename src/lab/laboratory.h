@@ -149,7 +149,7 @@ bool laboratory_work(Laboratory *, const char *format, ...) __attribute__((forma
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
 
-/* In the key line, until a key is pressed or, what is told (MESSAGE_INFO), has been read; MESSAGE_NONE:
+/* In the key line, until a key is pressed or, information (MESSAGE_INFO), has been read; MESSAGE_NONE:
  * nothing more. */
 void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void laboratory_tell(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -47,7 +47,7 @@ static void learn_rate(double *known, long steps, double seconds)
         *known = 0.7 * *known + 0.3 * rate;
 }
 
-/* Does a piece of work by `verb` and tells the clock. */
+/* Does a piece of work by `verb` and informs the clock. */
 static bool work(Laboratory *lab, bool (*verb)(Duel *, long, Status *), double *rate, long steps,
                  Status *status)
 {

@@ -256,7 +256,7 @@ static void take_key(Laboratory *lab, const Key *key)
     else if (strlen(key->name) == 1 && key->name[0] >= '1' && key->name[0] <= '9')
         laboratory_command(lab, command_of_digit(key->name[0] - '0')); /* says that no view has it */
     else if (strlen(key->name) == 1)
-        laboratory_tell(lab, "the key %s does nothing; ? tells what the others do", key->name);
+        laboratory_tell(lab, "the key %s has no function; ? lists the keys", key->name);
 }
 
 void laboratory_key(Laboratory *lab, const Key *key)

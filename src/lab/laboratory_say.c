@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Messages in the key line, and whether work that is not cut into frames, which tells how far it is, goes on.
- * A message may hold names of files and scenarios: what would act on the terminal is written out. */
+/* Messages in the key line, and whether work that is not cut into frames, which reports how far it is, goes
+ * on. A message may hold names of files and scenarios: what would act on the terminal is written out. */
 #include "lab/laboratory.h"
 
 #include "base/visible.h"

@@ -96,7 +96,7 @@ static bool show_building(double share, void *context)
     if (!lab->given_up && now < lab->built_at + BUILDING_SECONDS)
         return true;
     /* before there is a screen the terminal hands on ^C alone */
-    return laboratory_work(lab, "building the run: %d %%   %s gives up", (int)(100 * share),
+    return laboratory_work(lab, "building the run: %d %%   %s cancels", (int)(100 * share),
                            laboratory_run(lab) ? "Esc" : "^C");
 }
 
@@ -112,7 +112,8 @@ Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, 
 
 Asker laboratory_user(const Laboratory *lab)
 {
-    /* what is filmed is told by its content, and a file that looks like a session may hold a script's keys */
+    /* what is filmed is recognised by its content, and a file that looks like a session may hold a script's
+     * keys */
     if (lab->options.camera)
         return ASKER_REPLAY;
     return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;

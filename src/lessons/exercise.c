@@ -112,7 +112,7 @@ void exercise_write_number(double number, char out[NUMBER_TEXT_MAX])
 typedef struct Telling {
     const Expression *goal;
     const ExpressionClaim *claim;
-    int middle; /* behind its left side; 0: it is told as it is written */
+    int middle; /* behind its left side; 0: it is shown as it is written */
     const ExpressionRun *now, *was;
 } Telling;
 
@@ -157,7 +157,7 @@ static void tell_subject(const Telling *telling, char *out, size_t size)
             *at = ' ';
 }
 
-/* As many digits as tell it from the other. */
+/* As many digits as distinguish it from the other. */
 static NumberText told(double number, double other)
 {
     NumberText text;

@@ -42,7 +42,7 @@ double exercise_at_start(const Exercise *, const ExpressionRun *end);
 /* A number as a student writes it: "1.5", "1,5", "1.5 %", "100/17". */
 bool exercise_read_number(const char *text, double *number);
 
-/* A right answer as it is told; "": it is not known. */
+/* A right answer as it is shown; "": it is not known. */
 void exercise_write_number(double number, char out[NUMBER_TEXT_MAX]);
 
 /* What a goal asks, in words: "error within 1 %; cells at most 60". `was`: NULL where no run is known. */

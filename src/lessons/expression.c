@@ -26,7 +26,7 @@ static Reader *reader_of(Grammar *grammar)
 
 static bool refuse(Grammar *grammar, const char *wanted, const char *token)
 {
-    return wanted ? status_refuse(reader_of(grammar)->status, "%s is wanted, not: %.40s", wanted, token)
+    return wanted ? status_refuse(reader_of(grammar)->status, "%s is expected, not: %.40s", wanted, token)
                   : status_refuse(reader_of(grammar)->status, "%s", token);
 }
 
@@ -114,8 +114,8 @@ static const GrammarDialect dialect = {.level = LEVEL_OR,
                                        .choose = choose,
                                        .refuse = refuse};
 
-/* A goal is a list of claims, each of which is told by itself where it does not hold; with "or" between them
- * it is one. */
+/* A goal is a list of claims, each of which is reported by itself where it does not hold; with "or" between
+ * them it is one. */
 static bool read_claims(Grammar *grammar)
 {
     Expression *out = reader_of(grammar)->out;

@@ -3,7 +3,7 @@
  * in the grammar of base/grammar.h, with words, also as "was" WORD, and KEY ("=" | "!=") WORD for a relation.
  *
  * WORD is a number of a run (run_numbers.h), KEY a parameter ("mesh.cell_size"); a parameter with choices is
- * compared with one of them. The rows of a plate ("loads.top.sy") are no parameters and cannot be asked for.
+ * compared with one of them. The rows of a plate ("loads.top.sy") are not parameters and cannot be used.
  * `was` takes the value that a parameter, the mesh or the step had as the page was opened. A % behind a
  * number only says its unit: errors are in percent already. What is not known fulfils no relation. */
 #ifndef LESSONS_EXPRESSION_H
@@ -51,14 +51,14 @@ typedef struct ExpressionRun {
     const RunSummary *summary;
 } ExpressionRun;
 
-/* Reads one of the kind that is wanted. False: the status says what is wrong, and where. */
+/* Reads one of the requested kind. False: the status says what is wrong, and where. */
 bool expression_read(const char *text, ExpressionKind, Expression *, Status *);
 
 /* Its value, 1 or 0 of a truth; NAN: not known. `was` is for words behind "was", with what is known
  * beforehand. */
 double expression_value(const Expression *, const ExpressionRun *now, const ExpressionRun *was);
 
-/* Numbers are compared as they are told to the student, with so many digits (whole ones exactly): 0.0099999
+/* Numbers are compared as they are shown to the student, with so many digits (whole ones exactly): 0.0099999
  * is not less than 0.01. */
 enum { EXPRESSION_DIGITS = 4 };
 

@@ -81,7 +81,7 @@ static bool read_words(const char *list, const Parameter *parameter, Variant *va
         variant->words[variant->n_words++] = parameter->choices[choice];
     }
     return variant->n_words >= 2 ||
-           status_refuse(status, "%s: two words at least are wanted to draw from", variant->key);
+           status_refuse(status, "%s: two words at least are expected to draw from", variant->key);
 }
 
 bool variant_read(const char *text, Variant *variant, Status *status)
@@ -306,7 +306,7 @@ void variant_file_word(const char *name, char *out, size_t size)
     out[used] = '\0';
 }
 
-/* The variants of a lesson: a student's values, set by its pages and told in its texts (lesson.h). */
+/* The variants of a lesson: a student's values, set by its pages and shown in its texts (lesson.h). */
 
 /* "{mesh.cell_size}": the length of what stands between the braces; 0: no parameter does. */
 static size_t braced_key(const char *text, char key[KEY_MAX])

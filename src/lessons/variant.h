@@ -16,7 +16,7 @@ typedef struct Variant {
     bool whole;                               /* whole numbers only */
     const char *words[VARIANT_WORDS_MAX + 1]; /* of a choice: those to draw from, ended by NULL */
     int n_words;                              /* 0: it has numbers */
-    bool concealed;                           /* the words are mistakes, which the laboratory does not tell */
+    bool concealed;                           /* the words are mistakes, which the laboratory does not show */
 } Variant;
 
 /* "KEY from A to B", "KEY from WORD, WORD ...". */

@@ -65,7 +65,7 @@ typedef struct Field {
 typedef struct Stage {
     const char *id;       /* "map", "strain": stable, for scripts and tests */
     const char *name;     /* "map to nodes" */
-    const char *equation; /* as shown on screen, UTF-8, at most 76 columns a line, lines parted by '\n' */
+    const char *equation; /* as shown on screen, UTF-8, at most 76 columns a line, lines separated by '\n' */
     const char *source;   /* "eqs. 2, 3" */
     const char *sentence; /* what happens, in one sentence for a student */
     const char *reads;    /* names of fields, separated by spaces */
@@ -82,13 +82,13 @@ enum {
     HAS_LINE = 1 << 2,     /* set 0 lies along a line: places have one component */
     HAS_PLANE = 1 << 3,    /* set 0 lies in rows and columns of a plane: places have two */
     HAS_BREAKING = 1 << 4, /* bonds can break in this run */
-    HAS_STRETCH = 1 << 5,  /* the things of set 0 tell the largest stretch of their bonds: field "stretch" */
+    HAS_STRETCH = 1 << 5,  /* the things of set 0 have the largest stretch of their bonds: field "stretch" */
     HAS_ROWS = 1 << 6,     /* its body has any number of cuts, loads, supports ... */
     HAS_FRONTS = 1 << 7,   /* and cracks may run from the ends of its cuts: fronts.h follows them */
     /* The energies of the series are those beside the body's common speed: the work of what moves it so is no
      * part of their balance. */
     HAS_RELATIVE_ENERGY = 1 << 8,
-    /* set 0 are particles of bodies anywhere in the plane, in no rows: field "body" tells of which; set 1 are
+    /* set 0 are particles of bodies anywhere in the plane, in no rows: field "body" says of which; set 1 are
      * the nodes of each body's own grid, one grid after the other */
     HAS_BODIES = 1 << 9
 };
@@ -191,7 +191,7 @@ typedef struct Method {
 
     /* NULL, or whole steps faster than stage by stage, with the same bits; called between steps only.
      * With `rows` it writes the series row of each of these steps (n_series numbers each). On failure the
-     * simulation stands at the last whole step that is sound and *done tells how many were. */
+     * simulation stands at the last whole step that is sound and *done is how many were. */
     bool (*steps)(Simulation *, long count, double *rows, long *done, Status *);
 
     /* Called between steps only: the series at the present state. Must not change what comes. */
@@ -316,7 +316,7 @@ bool simulation_has_map(const Simulation *);
 /* step * dt: never accumulated. */
 double simulation_time(const Simulation *);
 
-/* Does at most `items` items of the current stage (0: all that is left of it). *stage_done tells whether the
+/* Does at most `items` items of the current stage (0: all that is left of it). *stage_done says whether the
  * stage came to its end; after the last stage the step is counted. False: the simulation failed. */
 bool simulation_slice(Simulation *, size_t items, bool *stage_done, Status *);
 
@@ -324,7 +324,7 @@ bool simulation_slice(Simulation *, size_t items, bool *stage_done, Status *);
 bool simulation_stage(Simulation *, Status *);
 
 /* Finishes the step that has begun, if one has; then `count` whole steps, fewer where it comes to rest.
- * `rows` may be NULL, else it takes one series row per whole step counted. *done (may be NULL) tells how many
+ * `rows` may be NULL, else it takes one series row per whole step counted. *done (may be NULL) is how many
  * steps were counted. */
 bool simulation_steps(Simulation *, long count, double *rows, long *done, Status *);
 
@@ -349,7 +349,7 @@ enum { FOLLOW_MAX = 4, FOLLOW_TEXT_MAX = 64 };
 bool simulation_follow(Simulation *, const char *thing, Status *);
 
 /* Leaves out of the series the columns that are there on request, but for those that are asked for: names
- * parted by commas, or "all"; "": none. Before the first step, and before anything is followed. */
+ * separated by commas, or "all"; "": none. Before the first step, and before anything is followed. */
 void simulation_ask_columns(Simulation *, const char *names);
 
 /* Whether such a list has a column, and whether it is one that it takes. */

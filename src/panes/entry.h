@@ -94,7 +94,7 @@ typedef struct ScenarioList {
 typedef struct Prompt {
     bool open;
     bool yes_no;
-    bool wants_y; /* of yes and no: Enter is no */
+    bool wants_y; /* of yes and no: Enter means no */
     char question[96];
     char text[256];
     int cursor;                    /* in characters */

@@ -223,7 +223,7 @@ static bool lay_out_page(const Screen *screen, int width, int height, Layout *la
 /* Where panes lie on the plain sheet: in one column below 80 columns; else one large picture, above it the
  * strip of particles, below it what is asked, the number that the scenario is about and the parameters that
  * it asks about. Beside a lesson the text and the picture; in the middle of a step, where a run has failed,
- * and for a user who has asked what is wrong with a code of his own, the box that tells of it. */
+ * and for a user who has asked what is wrong with a code of his own, the box that describes it. */
 
 enum {
     PLAIN_WIDTH = 60,

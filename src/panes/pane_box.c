@@ -226,7 +226,7 @@ static void draw_caption(const Screen *screen, Area area)
     Style style;
     const bool has_news = news_of(screen, news, sizeof news, &style);
     const int needed = has_news ? area_paragraph_lines(width, news) : 0;
-    if (!screen->lesson->open && last > y && needed < last) { /* what happens is told whole before any hint */
+    if (!screen->lesson->open && last > y && needed < last) { /* what happens comes whole before any hint */
         hint_of(screen, hint, sizeof hint);
         const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
         draw_offers(screen, area, last--, hint[0] ? end : 0);

@@ -72,7 +72,7 @@ static bool name_values(Comparison *row, const int values[2])
 void pane_duel(const Screen *screen, Area area)
 {
     Comparison rows[COMPARISONS_MAX];
-    /* What may be told: no theory where a class is to guess. */
+    /* What may be shown: no theory where a class is to guess. */
     const int all = comparison_of_duel(screen->duel, rows);
     int count = 0, label, values[2];
     for (int i = 0; i < all; i++)
@@ -108,7 +108,7 @@ enum { NAME_COLUMNS = 26, VALUE_COLUMNS = 12 };
 
 int pane_runs_rows(const Screen *screen)
 {
-    enum { LEAST = 2 }; /* earlier runs: of one the legend tells all */
+    enum { LEAST = 2 }; /* earlier runs: of one the legend has all */
     const Ghost *ghosts = experiment_ghosts(screen->experiment);
     int kept = 0, all = 0;
     for (int i = 0; i < GHOSTS_MAX; i++) {
@@ -128,7 +128,7 @@ int pane_runs(const Screen *screen, Area area)
     if (rows == 0 || area.rect.height < rows)
         return 0;
     const bool predicted = screen_shows_predicted(screen), exact = screen_shows_exact(screen);
-    const double unit = now->is_period ? 1e-3 : 1; /* periods are told in ms */
+    const double unit = now->is_period ? 1e-3 : 1; /* periods are given in ms */
     area_rule(area, "Runs in one picture", screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     /* In the rule above the rows, a space on each side. */
     const char *headings[] = {now->is_period ? "T meas, ms" : "ω measured", "predicted",

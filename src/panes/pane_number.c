@@ -10,7 +10,7 @@
 
 enum { WIDE = 3, HIGH = 5, GAP = 1, FULL_BLOCK = 0x2588, UPPER_HALF = 0x2580, LOWER_HALF = 0x2584 };
 
-#define NUMBER_MOST 1e6 /* what has no room, and tells nothing but that */
+#define NUMBER_MOST 1e6 /* more than this has no room, and no meaning */
 
 /* Letters of 3 x 5 dots: one octal digit a row, from the top. */
 static const struct {
@@ -134,7 +134,7 @@ static void draw_number(const Screen *screen, Area area, Size size, char run)
     }
     area = area_part(area, 2, area.rect.height - 1, area.rect.width - 2, 1);
     const int name = run ? area_print(area, 0, 0, style, "%c: ", run) : 0;
-    const char *last = words; /* of two runs the last words tell most: "A: late" */
+    const char *last = words; /* of two runs the last words say most: "A: late" */
     while (name + glyphs_columns(last) > area.rect.width && strchr(last, ' '))
         last = strchr(last, ' ') + 1;
     area_text(area, name, 0, last, known ? STYLE_HEADING : STYLE_FAINT);

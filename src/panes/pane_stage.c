@@ -34,7 +34,7 @@ static Subject subject_of(const Screen *screen)
 
 /* --- numbers of a thing --------------------------------------------------------------------------- */
 
-/* Two values as texts of at least so many digits, or as many more as it takes to tell them apart. */
+/* Two values as texts of at least so many digits, or as many more as it takes to distinguish them. */
 static void pair_text(double before, double now, NumberText *was, NumberText *is)
 {
     int digits = 5;

@@ -58,7 +58,7 @@ static void pace_text(double pace, char *out, size_t size)
         snprintf(out, size, "x1/%.0f", 1 / pace);
 }
 
-/* The state in full or, where room is short, in as few words as tell it. */
+/* The state in full or, where room is short, in as few words as possible. */
 static void state_text(const Screen *screen, bool brief, char *out, size_t size)
 {
     char pace[24];
@@ -115,7 +115,7 @@ static void screen_shorter_time(const Screen *screen, int less, char *out, size_
 enum { BAR_CELLS = 10 };
 
 /* What the title gives up, one after the other, where there is no room. What the run is about stands first;
- * the method's words are told by the parameters too, the scenario's name is not. */
+ * the method's words are shown by the parameters too, the scenario's name is not. */
 typedef struct TitleForm {
     bool headline, brief, name, words; /* brief: of the state */
     int fewer;                         /* decimals of the time that are left out */
@@ -129,7 +129,7 @@ typedef struct Title {
     int end;  /* columns that the text may have */
 } Title;
 
-/* A page that sets something to a value of the student's own is no longer of what the scenario asks. */
+/* A page that sets something to a value of the student's own no longer shows what the scenario asks about. */
 static const char *headline_of(const Screen *screen)
 {
     const Settings *settings = screen_settings(screen);
@@ -155,7 +155,7 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     if (!plain && ((!form->brief && form->fewer > 0 && !running) || (form->no_stage && stage > 0) ||
                    (form->no_step && !running)))
         return false;
-    /* which run is which is told before the scenario's name */
+    /* which run is which comes before the scenario's name */
     if (form->headline && form->name != form->words && duel != form->words)
         return false;
     const char *gap = form->close ? " " : "  ";
@@ -215,7 +215,7 @@ static Title title_of(const Screen *screen, int width)
         {false, true, false, false, 4, false, false, false},
         {false, true, false, false, 4, true, false, false},
     };
-    /* the plain sheet tells what the run is about, and when */
+    /* the plain sheet says what the run is about, and when */
     static const TitleForm plain_forms[] = {
         {true, false, false, true, 0, false, true, true},  {true, false, false, false, 0, false, true, true},
         {true, false, false, false, 2, false, true, true}, {true, true, false, false, 4, true, true, true},

@@ -161,7 +161,7 @@ void screen_default(Screen *);
 /* Takes over window, references and colour of the beam as far as a scenario names them. */
 void screen_read_view(Screen *, const ViewSettings *);
 
-/* The view in a pane; NULL: it is no plot pane. */
+/* The view in a pane; NULL: it is not a plot pane. */
 const View *screen_view_in(const Screen *, PaneId);
 
 /* --- what panes and views ask of the runs on it --------------------------------------------------- */
@@ -242,7 +242,7 @@ typedef enum Flow { FLOW_NONE, FLOW_TO_NODES, FLOW_TO_PARTICLES, FLOW_FORGET } F
 Flow flow_of_stage(const Screen *, bool *inside);
 
 /* The set that a stage writes to. A name that particles and nodes share (mass, x) counts as the one that the
- * other names of the stage tell. */
+ * other names of the stage show. */
 int flow_target(const Simulation *, const Stage *);
 
 /* --- as cells, and what lies where ---------------------------------------------------------------- */

@@ -14,7 +14,7 @@
 
 enum { KEYS_ROOM = 19, KEYS_ROWS = 4, SIGN_ROWS = 2, WALL_ROWS = 2, SPREAD = 4 };
 
-/* By number: what neighbours have is told apart. */
+/* By number: what neighbours have is distinguished. */
 Style picture_kind_style(int kind)
 {
     static const Style styles[] = {STYLE_MEASURED, STYLE_PREDICTED, STYLE_SECOND,  STYLE_EXACT,

@@ -38,7 +38,7 @@ bool canvas_open(Canvas *, int width, int height, Status *); /* all spaces; also
 void canvas_close(Canvas *);
 void canvas_clear(Canvas *);
 
-/* Adds to the description of what is drawn, where it is wanted. Lengths are in 16ths of a cell, from the
+/* Adds to the description of what is drawn, where it is needed. Lengths are in 16ths of a cell, from the
  * upper left corner of the area that was named last; a command ends with the next one's ';'.
  *
  *     A X,Y,COLUMNS,ROWS               an area, in cells
@@ -100,8 +100,8 @@ int area_text_whole(Area, int x, int y, int width, const char *text, Style);
 int area_paragraph(Area, int x, int y, int width, int rows, const char *text, Style);
 int area_paragraph_lines(int width, const char *text);
 
-/* Draws phrases that are parted by two spaces, each whole, on as many lines as it takes up to `rows`. Returns
- * the lines used. */
+/* Draws phrases that are separated by two spaces, each whole, on as many lines as it takes up to `rows`.
+ * Returns the lines used. */
 int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);
 int area_rows_of_phrases(const char *text, int width); /* that it takes; INT_MAX: one has no room */
 

@@ -13,10 +13,10 @@ typedef enum Glyphs {
     GLYPHS_BLOCK,   /* half blocks: what the Linux console has too */
     GLYPHS_ASCII,   /* one letter a curve; nothing else on the screen is beyond ASCII either */
     GLYPHS_COUNT,
-    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a picture, as finely as it can be told */
+    GLYPHS_NONE = GLYPHS_COUNT /* no cells: what is drawn goes into a picture, as finely as possible */
 } Glyphs;
 
-/* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are no UTF-8. */
+/* The next scalar value of a text, which moves on; 0 at its end, '?' for bytes that are not UTF-8. */
 uint32_t glyph_next(const char **text);
 
 /* Writes one scalar value; returns the bytes used. */
@@ -31,7 +31,7 @@ uint32_t glyph_shown(uint32_t glyph);
 /* What stands for it where only ASCII can be shown, one cell for one cell; '?' where nothing does. */
 uint32_t glyph_ascii(uint32_t glyph);
 
-/* The same where letters are told in words: one that nothing stands for stays what it is. */
+/* The same where letters are written in words: one that nothing stands for stays what it is. */
 uint32_t glyph_told(uint32_t glyph);
 
 /* The bit of a dot in a character of braille, 0x2800 and more: column 0 or 1, row 0 to 3 from above. */

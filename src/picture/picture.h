@@ -17,7 +17,7 @@ enum {
     PICTURE_TEXT_MAX = 384
 };
 
-/* What it is: words tell each in another way. */
+/* What it is: words describe each in another way. */
 typedef enum PictureKind {
     PICTURE_FUNCTION, /* curves over x */
     PICTURE_UPRIGHT,  /* curves that go across, over a height */
@@ -49,7 +49,7 @@ typedef struct PictureKey {
 
 typedef enum MarkKind {
     MARK_PLACE, /* a dot, ring or letter */
-    MARK_AGAIN, /* a letter once more on its curve, where curves cannot be told apart by their dashes */
+    MARK_AGAIN, /* a letter once more on its curve, where curves cannot be distinguished by their dashes */
     MARK_DOT,   /* on one of many dots, which a curve may cover where it is wide; a page shows them all */
     MARK_FINE,  /* narrower than a character: others may be in the same one */
     MARK_RULE,  /* a vertical line across the plot, perhaps with a word at its head */
@@ -76,15 +76,15 @@ typedef struct PictureMark {
     double half;         /* of its width */
 } PictureMark;
 
-/* A line of words beside the picture: phrases that are parted by two spaces. */
+/* A line of words beside the picture: phrases that are separated by two spaces. */
 typedef struct PictureNote {
-    Style style;   /* STYLE_FAINT: an explanation, not a result */
-    bool joins;    /* goes on behind the one before where lines are long */
-    bool flows;    /* goes on behind the one before where there is room for both */
-    bool spare;    /* told where the plot is larger than it must be; with others of the kind, or not at all */
-    bool told;     /* in words alone, behind the others: what a look at the picture says */
-    int rows;      /* that it may take where there are many; 0 is 1 */
-    uint32_t sign; /* of the mark that it tells of; 0: none */
+    Style style; /* STYLE_FAINT: an explanation, not a result */
+    bool joins;  /* goes on behind the one before where lines are long */
+    bool flows;  /* goes on behind the one before where there is room for both */
+    bool spare;  /* shown where the plot is larger than it must be; with others of the kind, or not at all */
+    bool told;   /* in words alone, behind the others: what a look at the picture says */
+    int rows;    /* that it may take where there are many; 0 is 1 */
+    uint32_t sign; /* of the mark that it describes; 0: none */
     Style sign_style;
     char text[PICTURE_TEXT_MAX];
     char brief[PICTURE_TEXT_MAX]; /* the same where that has no room; "": it is cut */
@@ -113,7 +113,7 @@ typedef struct PictureMap {
     double along;               /* and of those along it */
     double middle[2], scale[2]; /* the place in the middle; characters to a metre, across and down */
     int keys_at;                /* of them, from where on it leaves room for its lines' names; 0: nowhere */
-    bool is_part;               /* it is magnified: how long a part is in sight is told beside the colours */
+    bool is_part;               /* it is magnified: how long a part is in sight is given beside the colours */
     bool is_near;               /* its pieces are seen one by one, as dots */
 } PictureMap;
 
@@ -139,11 +139,11 @@ typedef struct PictureLabel {
     bool on_line;  /* which is broken for them */
     bool is_size;  /* they keep a space from lines */
     double height; /* of the band that they name; 0: of none */
-    bool spare;    /* of a drawing: told where arrows have left room */
+    bool spare;    /* of a drawing: shown where arrows have left room */
     Style style;
-    const char *thing; /* said before them in words, where the place does not tell: "node"; NULL: nothing */
+    const char *thing; /* said before them in words, where the place does not say: "node"; NULL: nothing */
     bool says_thing;   /* in a drawing too, where there is room */
-    char text[96];     /* of a drawing: lines below each other, as many as have room, parted by '\n' */
+    char text[96];     /* of a drawing: lines below each other, as many as have room, separated by '\n' */
 } PictureLabel;
 
 /* What goes from one place of a drawing to another. It is a stroke of the plot too, but of a body, where it
@@ -155,7 +155,7 @@ typedef struct PictureArrow {
     double at[2];
     double place; /* of its words: the share of its way, where there is room */
     char text[PICTURE_ARROW_LINES][48],
-        brief[PICTURE_ARROW_LINES][32]; /* what goes, first what is told if there is room for one */
+        brief[PICTURE_ARROW_LINES][32]; /* what goes, first what is shown if there is room for one */
     char told[192];                     /* the whole as words have it */
 } PictureArrow;
 
@@ -208,7 +208,7 @@ typedef struct TableColumn {
     bool adds;
     Style style; /* of terms */
     unsigned in; /* of a factor: the columns of terms that have it, a bit for each */
-    bool stays;  /* of a factor: it is told with any term, if there is room */
+    bool stays;  /* of a factor: it is shown with any term, if there is room */
     double values[TABLE_ROWS_MAX];
     double base, result; /* what the sum is added to, and what there is then; NAN: not known */
 } TableColumn;
@@ -217,13 +217,13 @@ typedef struct TableColumn {
 typedef enum TableTotal { TOTAL_SUM, TOTAL_BASE, TOTAL_RESULT, TOTALS } TableTotal;
 
 /* Things in rows, what they give or get in columns, and the sums of that. One of a single column lies on its
- * side. Where room is short it is told which rows and columns go: of rows those of the highest rank, which
- * are then told as one; of columns factors, then all terms but those with the longest formula. */
+ * side. Where room is short, this says which rows and columns go: of rows those of the highest rank, which
+ * are then summed up; of columns factors, then all terms but those with the longest formula. */
 typedef struct PictureTable {
     char title[200], brief[96]; /* "": none; where there is no room for it */
     char notes[100];            /* what factors stand for */
     const char *what;           /* above the rows' names; this and those below are not copied */
-    const char *more;           /* the name of those that are told as one, behind their number */
+    const char *more;           /* the name of those that are summed up, behind their number */
     size_t count, own;          /* rows; the one of the thing that is looked at, or `count` */
     struct TableRow {
         char name[24];
@@ -345,8 +345,8 @@ void picture_trace(Picture *, const double from[2], const double to[2], const St
 void picture_lay_strip(Picture *, StripKind, const char *heading);
 
 /* Pieces in a row, so many whole columns each; where they have no room, a part of them around one, which may
- * end so many beyond the last one. `aside`: columns that are no piece's. What comes out: columns of a piece,
- * the first one in sight, how many are. */
+ * end so many beyond the last one. `aside`: columns that are not a piece's. What comes out: columns of a
+ * piece, the first one in sight, how many are. */
 typedef struct StripRow {
     long pieces, beyond, around;
     int aside;
@@ -396,10 +396,10 @@ void picture_key(Picture *, PictureKey);
 void picture_name(Picture *, Pen, const char *name); /* an entry with a piece of its line */
 char picture_run_of(const PictureKey *);             /* the letter of an earlier run; 0: it is none */
 
-/* Of words in a note: what is told, and what instead where room is short. */
+/* Of words in a note: what is shown, and what instead where room is short. */
 #define LONG_SHORT(words, shorter) "\1" words "\2" shorter "\3"
 
-/* Below it; more can be said of the note that is returned. Its text is told in full or, with the shorter
+/* Below it; more can be said of the note that is returned. Its text is shown in full or, with the shorter
  * words that LONG_SHORT() has in it, in brief. */
 PictureNote *picture_note(Picture *, Style, const char *format, ...) __attribute__((format(printf, 3, 4)));
 

@@ -120,7 +120,7 @@ static bool write_on(Places *places, const Picture *picture, const PictureArrow 
     return true;
 }
 
-/* With all its lines or some, in full or, where that is wanted or must be, in brief; false: nowhere. */
+/* With all its lines or some, in full or, where that is needed or must be, in brief; false: nowhere. */
 static bool write_arrow(Places *places, const Picture *picture, const PictureArrow *arrow, bool shorter)
 {
     static const double away[] = {0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3};

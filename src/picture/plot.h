@@ -46,7 +46,7 @@ typedef struct Stroke {
     int fill;            /* of a band: 0 dense to 3 thin */
     char letter;         /* what ASCII draws it with; over a body 0: what shows its direction */
     int wall;            /* over a body: it stands still just above (1) or below (-1) its line; 0: on it */
-    bool coarse;         /* it is told by the colours under it where they are fine: not on a page */
+    bool coarse;         /* it is shown by the colours under it where they are fine: not on a page */
     size_t first, count; /* its points */
 } Stroke;
 

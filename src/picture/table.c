@@ -66,7 +66,7 @@ typedef struct Plan {
     const PictureTable *table;
     const TableColumn *columns[TABLE_COLUMNS_MAX];
     int n_columns, names, widths[TABLE_COLUMNS_MAX];
-    int limit;             /* ranks below it are told row by row, */
+    int limit;             /* ranks below it are shown row by row, */
     size_t shown;          /* so many of them */
     bool labelled, scaled; /* there are rows for labels and powers of ten */
     int height;
@@ -389,7 +389,7 @@ static void write_tables(const Picture *picture, Part *part)
     }
 }
 
-/* Of phrases that are parted by two spaces those that have room. */
+/* Of phrases that are separated by two spaces those that have room. */
 static void write_notes(const Picture *picture, Part *part, bool spare)
 {
     for (int i = 0; i < picture->n_notes; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The host of plain words: lines become keys, and what they changed is told. */
+/* The host of plain words: lines become keys, and what they changed is printed. */
 #include "plain/plain.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -24,7 +24,7 @@
 /* Everything has room on such a screen. */
 enum { WIDTH = 132, HEIGHT = 43, PLAIN_LINE_MAX = 4096, HELP_LINES = 15 };
 
-enum { PAGE_LINES = 10 }; /* that tell a page of a lesson which is entered */
+enum { PAGE_LINES = 10 }; /* printed of a page of a lesson which is entered */
 
 static double now(void *context)
 {
@@ -37,7 +37,8 @@ static void worked(void *context, long steps)
     (void)steps;
 }
 
-/* --- what is told ------------------------------------------------------------------------------------- */
+/* --- what is printed -------------------------------------------------------------------------------------
+ */
 
 /* In the encoding of the locale, with a question mark for what it does not have. */
 static void put(Plain *plain, const char *text)
@@ -89,7 +90,7 @@ static void tell_asked(void *context, const char *text)
     put(context, text);
 }
 
-/* Work that takes long is told now and then to the user; false: it is given up. Signals may come in
+/* Work that takes long is reported now and then to the user; false: it is cancelled. Signals may come in
  * the meantime (in a page only then). */
 static bool go_on(void *context)
 {
@@ -128,7 +129,7 @@ static bool is_page(const Plain *plain)
     return plain->lab.play.shown.open && plain->lab.play.shown.lesson;
 }
 
-/* Whether a part of the screen is told now: not what changes with every step, but for a stage. */
+/* Whether a part of the screen is printed now: not what changes with every step, but for a stage. */
 static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bool moved_far)
 {
     const Screen *screen = &plain->lab.screen;
@@ -151,7 +152,7 @@ static bool is_due(const Plain *plain, TellPart part, bool first, bool still, bo
         return moved_far || first;
     if (part == TELL_UPPER || part == TELL_LOWER) /* curves wait for `more`, unless others are asked for */
         return still && !first;
-    if (part == TELL_BODY) /* within a step the stage tells of the chosen one */
+    if (part == TELL_BODY) /* within a step the stage describes the chosen one */
         return still && !first && experiment_stage(laboratory_run(&plain->lab)) == 0;
     if (part == TELL_FOCUS || part == TELL_PARAMETER)
         return !first;
@@ -176,7 +177,7 @@ static bool is_same_page(const char *text, const char *before)
     return *text && strncmp(before, text, heading_bytes(text)) == 0;
 }
 
-/* Of a page that is still open only the lines that are new. One of a lesson that is entered is told in
+/* Of a page that is still open only the lines that are new. One of a lesson that is entered is printed in
  * PAGE_LINES, with what was said before it; the rest of it waits for `more`. */
 static void tell_page(Plain *plain, const char *text, const char *before)
 {
@@ -194,8 +195,8 @@ static void tell_page(Plain *plain, const char *text, const char *before)
     }
     if (waits)
         say(plain, shown->lesson->pages[shown->page].n_choices > 0 && shown->answer < 0
-                       ? "more tells the rest, choices too."
-                       : "more tells the rest.");
+                       ? "more prints the rest, with the choices."
+                       : "more prints the rest.");
 }
 
 static int count_lines(const char *text)
@@ -206,7 +207,7 @@ static int count_lines(const char *text)
     return lines;
 }
 
-/* Each part that is another one than when it was told last. */
+/* Each part that has changed since it was last printed. */
 static void tell_changes(Plain *plain)
 {
     const Screen *screen = &plain->lab.screen;
@@ -240,7 +241,7 @@ static void tell_changes(Plain *plain)
     plain->page = is_page(plain);
 }
 
-/* As it was given; of a mistake that is not told no more than that there is one. */
+/* As it was given; of a concealed mistake only that there is one. */
 static void show_value(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
 {
     settings_get(settings, parameter, out);
@@ -395,7 +396,7 @@ static void take(Plain *plain, const char *line)
     else if (keys_known(line) && strcmp(line, ":") != 0)
         press(plain, line);
     else {
-        /* Behind `:`; what is refused is told and leaves no question open. */
+        /* Behind `:`; what is refused is reported and leaves no question open. */
         const Prompt *prompt = &plain->lab.prompting.shown;
         if (strlen(line) >= sizeof prompt->text) {
             say(plain, "The line is too long for a command.");
@@ -419,7 +420,7 @@ static void take(Plain *plain, const char *line)
         press(plain, "Space");
 }
 
-/* The help is told from its beginning, or whole, and closed again by the next line. */
+/* The help is printed from its beginning, or whole, and closed again by the next line. */
 static void tell_help(Plain *plain)
 {
     Words words = {.text = NULL};
@@ -439,7 +440,7 @@ static void tell_help(Plain *plain)
         if (end)
             *end = '\0';
         put_words(plain, &words);
-        say(plain, "help all tells all keys and commands, help WORD one of them, a view or a parameter.");
+        say(plain, "help all prints all keys and commands, help WORD one of them, a view or a parameter.");
         return;
     }
     for (*page = 0; *page < help_pages(screen); ++*page)
@@ -531,7 +532,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     plain->lab.utf8 = false;
     say(plain,
         "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
-        "command: until end, show energies, initial.mode=3, tell stage. more tells the curves, why what "
+        "command: until end, show energies, initial.mode=3, tell stage. more describes the curves, why "
         "the number comes of, tell alone all again, help what there is, quit leaves.");
     plain->lines = 0;
     let_it_work(plain);

@@ -6,8 +6,8 @@
  *     ]            a key by its name: a character, Space, Enter, Esc, Up, ...; an empty line is Enter
  *     show probe   anything else: a command by name, KEY=VALUE, a time (12.5), a word with its arguments
  *     :5           the same where it could be a key too
- *     more         the body and the curves; beside a page of a lesson, which is told in ten lines, also its
- *                  rest, the stage and the inspector, which wait for it
+ *     more         the body and the curves; beside a page of a lesson, which is printed in ten lines, also
+ * its rest, the stage and the inspector, which wait for it
  *
  * While a question or a field is open the line is its answer. A run goes on to where it stops, or to its
  * end, before the next line is read; on a terminal ^C pauses it. */
@@ -25,15 +25,15 @@ typedef struct Plain {
     FILE *out;
     double time;    /* virtual, unless somebody sits there */
     double seen_at; /* on the wall: so far it has gone on */
-    bool echo;      /* input is no terminal: each line is repeated before what it did */
+    bool echo;      /* input is not a terminal: each line is repeated before what it did */
     bool all_help;  /* not the beginning alone is asked for */
-    bool talks;     /* progress of long work is told */
+    bool talks;     /* progress of long work is reported */
     double told_at;
-    Words last[TELL_PARTS]; /* what was told of each */
+    Words last[TELL_PARTS]; /* what was printed of each */
     long step, stage;       /* where that was */
     bool page;              /* beside a page of a lesson */
     bool turned;            /* to another page, by this line */
-    int lines;              /* told of this line so far */
+    int lines;              /* printed for this line so far */
     Words rest;             /* of the page, which waits for `more` */
     const Experiment *of;   /* of which run, with which values */
     Settings settings;

@@ -337,7 +337,7 @@ bool bar_limit(const Settings *settings, char *text, size_t size, Status *status
 
 /* --- every mode on the mesh ----------------------------------------------------------------------- */
 
-/* Of two materials a mode is no wave of one length. */
+/* With two materials a mode does not have one wavelength. */
 static int modes(const Settings *settings)
 {
     BarTheory theory;

@@ -486,7 +486,7 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
         const double up = row[BODIES_X + VY];
         add(out, &n, "bounce_height", "height of the bounce",
             isfinite(seen.hit) && up > 0 ? row[BODIES_X + Y] - up * up / (2 * def->gravity[1]) : NAN, NAN,
-            NULL); /* a part of the motion becomes vibration: where it started is no answer */
+            NULL); /* a part of the motion becomes vibration: its start is not an answer */
     }
     if (known && isfinite(seen.growth))
         add_spin(answers, &seen, out, &n);

@@ -88,7 +88,7 @@ bool experiment_advance(Experiment *, long steps, Status *);
 
 /* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items
  * to each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its
- * end, or there was none to do. Until then the state is no moment of the run, not to be looked at: a caller
+ * end, or there was none to do. Until then the state is not one of the run, not to be looked at: a caller
  * that wants to, and whatever else is done to the experiment, goes back to where the step began by
  * experiment_drop_part(). */
 bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);

@@ -96,7 +96,7 @@ bool experiment_do_steps(Experiment *, long steps, Status *);
 bool experiment_do_stage(Experiment *, Status *);
 
 /* At most so many items of the step's stages (Simulation.stage_items). *whole: the step came to its end, or
- * there is none to do. In the middle the state is no moment of the run. */
+ * there is none to do. In the middle the state is not one of the run. */
 bool experiment_do_slice(Experiment *, size_t items, bool *whole, Status *);
 
 /* Goes to the last keyframe at or before a step, if that is a way to get there from here: it is where the
@@ -139,7 +139,7 @@ bool experiment_has_curve(const Experiment *);
 /* Whether a pinned ghost shows all that this run would leave behind. */
 bool experiment_is_pinned(const Experiment *);
 
-/* Legends tell what differs from the run that is on screen now. */
+/* Legends show what differs from the run that is on screen now. */
 void experiment_write_legends(Experiment *);
 
 /* --- life: experiment.c -------------------------------------------------------------------------------- */

@@ -55,7 +55,7 @@ static Got next_line(Reader *reader)
             return GOT_NOTHING;
         }
         if (byte < ' ' && byte != '\t') {
-            fail(reader, "holds bytes that are no text (a CSV file is wanted)");
+            fail(reader, "holds bytes that are not text (a CSV file is expected)");
             return GOT_NOTHING;
         }
         if (length + 1 == sizeof reader->text) {
@@ -298,7 +298,8 @@ static bool take_head(Reader *reader, Overlay *overlay)
     if (cells < 0)
         return false;
     if (cells < 2)
-        return fail(reader, "one column only (a time and a value are wanted, parted by , or ; or blanks)");
+        return fail(reader,
+                    "one column only (a time and a value are expected, separated by , or ; or blanks)");
     overlay->columns = calloc((size_t)cells, sizeof *overlay->columns);
     if (!overlay->columns)
         return no_memory(reader);

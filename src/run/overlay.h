@@ -42,7 +42,7 @@ typedef struct Overlay {
     char curve[OVERLAY_NAME_MAX];
 } Overlay;
 
-/* Told the share that is read in [0, 1]; false stops the reading. May be NULL. */
+/* Receives the share that is read in [0, 1]; false stops the reading. May be NULL. */
 typedef bool (*OverlayProgress)(double share, void *context);
 
 /* What a cell stands for that begins with a letter, such as the name of a stage, or is not finite; false: it

@@ -23,7 +23,7 @@ static const struct {
     {1u << EVENT_CROSSING,
      {HAS_MESH | HAS_LINE, HAS_MESH | HAS_PLANE},
      "a crossing",
-     "crossings of cells are not told in this run"},
+     "cell crossings are not recorded in this run"},
     {1u << EVENT_BREAK, {HAS_BREAKING, HAS_BREAKING}, "a break", "no bond can break in this run"},
     {1u << EVENT_TOUCH,
      {HAS_BODIES, HAS_BODIES},

@@ -42,7 +42,7 @@ bool stop_read_time(const char *text, const Experiment *, double *time);
 /* What it waits for: "t = 7.4e-05", "a break"; "" for STOP_NEVER. */
 void stop_words(const Stop *, char out[STOP_WORDS_MAX]);
 
-/* The whole step at which it is reached, at most the run's last; -1: only going on will tell. */
+/* The whole step at which it is reached, at most the run's last; -1: known only by going on. */
 long stop_step(const Stop *, const Experiment *);
 
 /* The run begins to go on: what has happened so far does not count. */

@@ -59,7 +59,7 @@ const TextKey text_keys[] = {
     {"screen.sheet", VIEW(sheet), "how much there is on the screen at first: plain or full", TEXT_SHEET},
     {"screen.about", VIEW(about), "the number shown in large digits: a word of exercises", TEXT_ANY},
     {"screen.ask", VIEW(ask),
-     "keys of up to four parameters to be changed, or of rows of a plate, parted by commas", TEXT_ANY},
+     "keys of up to four parameters to be changed, or of rows of a plate, separated by commas", TEXT_ANY},
 };
 
 const int n_text_keys = (int)(sizeof text_keys / sizeof *text_keys);

@@ -78,7 +78,7 @@ typedef enum TextRule {
     TEXT_COLOUR      /* one of parameter_colour_words */
 } TextRule;
 
-/* Keys of a scenario file that hold words and are no parameters of the run: title, question, view. */
+/* Keys of a scenario file that hold words and are not parameters of the run: title, question, view. */
 typedef struct TextKey {
     const char *key;
     size_t offset; /* of the char array in Settings */
@@ -253,7 +253,8 @@ void parameter_range(const Parameter *, const Problem *, char *out, size_t size)
  * beam, overtones that cannot be read, mode 0 with a fixed end, ... The status names the key.
  *
  * Asked by what makes settings: scenario_read(), settings_change(), settings_nudge(), changes_add(), and once
- * more by changes_advice(), since what is in force in mid-run may be no scenario; by nobody who takes them.
+ * more by changes_advice(), since what is in force in mid-run may not be a scenario; by nobody who takes
+ * them.
  */
 bool settings_check(const Settings *, Status *);
 

@@ -65,7 +65,7 @@ static bool check_twice(const Source *source, Status *status)
             if (same_key(&all[i], &all[j])) {
                 char key[80];
                 full_key(&all[i], key);
-                status_refuse(status, "%s: stands twice (first in line %d)", key, all[j].line);
+                status_refuse(status, "%s: is given twice (first in line %d)", key, all[j].line);
                 return at_line(source, &all[i], status);
             }
     const Entry *stretch = find_entry(source, "pd", "critical_stretch");

@@ -47,7 +47,7 @@ static bool clean_line(Reader *reader, char *raw)
             *c = ' ';
     if (visible_is_clean(raw))
         return true;
-    return fail(reader, "bytes that are no text", "UTF-8 without control characters");
+    return fail(reader, "bytes that are not text", "UTF-8 without control characters");
 }
 
 /* --- what a line is ------------------------------------------------------------------------------- */
@@ -139,7 +139,7 @@ static bool accept_key(Reader *reader, const char *line)
     if (n >= KEY_MAX)
         return fail_about(reader, name, "unknown key (no key is that long)");
     if (!*reader->section)
-        return fail_about(reader, name, "stands before any section (begin with [scenario])");
+        return fail_about(reader, name, "is before any section (begin with [scenario])");
     if (equals[1] == '#' || equals[1] == ';')
         return fail_about(reader, name,
                           "the value begins like a comment (a space before # or ; makes it one)");

@@ -88,7 +88,7 @@ int overtones_read(const char *text, Overtone out[OVERTONES_MAX], Status *status
             return status_refuse(status, "%s: too many modes (at most %d)", key, OVERTONES_MAX), -1;
         for (int i = 0; i < count; i++)
             if (out[i].mode == mode)
-                return status_refuse(status, "%s: mode %ld stands twice (each once)", key, mode), -1;
+                return status_refuse(status, "%s: mode %ld is given twice (each once)", key, mode), -1;
         out[count++] = (Overtone){(int)mode, velocity};
     }
     return count;
@@ -128,7 +128,7 @@ int settings_times_read(const char *text, double out[TIMES_MAX], Status *status)
     while ((text = next_item(text, item))) {
         double time;
         if (!text_to_double(item, &time) || time < 0)
-            return status_refuse(status, "%s: \"%s\" is not a time (numbers >= 0 parted by commas)", key,
+            return status_refuse(status, "%s: \"%s\" is not a time (numbers >= 0 separated by commas)", key,
                                  item),
                    -1;
         if (count == TIMES_MAX)

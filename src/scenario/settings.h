@@ -27,7 +27,7 @@ struct Settings {
     } values;                /* settings_values.h says what they are */
     RowList rows[ROW_KINDS]; /* of a plate: by RowKinds */
 
-    bool concealed; /* its mistake is made, but not told: "?" */
+    bool concealed; /* its mistake is made, but not shown: "?" */
 
     Cancel cancel; /* asked while the simulation and its references are being made */
 
@@ -41,7 +41,7 @@ struct Settings {
 /* The words of a scenario file for MethodKind, ended by NULL. */
 extern const char *const settings_method_words[];
 
-/* A word of a choice as a file has it that is not to tell the mistake: four hexadecimal digits of its hash.
+/* A word of a choice as a file has it that is not to show the mistake: four hexadecimal digits of its hash.
  */
 enum { CIPHER_MAX = 5 };
 void parameter_cipher(const char *word, char out[CIPHER_MAX]);

@@ -152,7 +152,7 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
     enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
     if (!parameter_applies_to(settings, parameter) || parameter->type == PARAMETER_TEXT)
         return false;
-    if (parameter->wrong && settings->concealed) { /* its neighbours would tell it */
+    if (parameter->wrong && settings->concealed) { /* its neighbours would reveal it */
         settings_put(settings, parameter, parameter->neutral);
         return true;
     }

@@ -37,7 +37,7 @@ typedef struct Loop {
     bool stale;         /* the picture shown is out of date */
     bool moved;         /* the run went on since then */
     bool more_keys;     /* are answered before it sleeps */
-    Settings told_settings; /* of which `address` tells */
+    Settings told_settings; /* those of `address` */
     char *address;          /* of a page: the scenario, and what was changed of it */
     bool unannounced;       /* a picture is not yet announced, for the terminal has not taken all of it */
 } Loop;
@@ -219,7 +219,7 @@ static void replay_round(Loop *loop)
             return;
         loop->replayed_at = now(NULL);
         if (!is_replaying(loop))
-            end_replay(loop, "the session has been done again");
+            end_replay(loop, "session restored");
         if (!loop->fast || lab->player.playback.state == STATE_COMPUTING || now(NULL) >= deadline)
             return;
     }
@@ -331,9 +331,9 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
     if (is_replaying(loop))
-        say_replay(loop, "a session is done again", "any key takes over");
+        say_replay(loop, "replaying a session", "any key takes over");
     else if (replay)
-        end_replay(loop, "the session holds no keys");
+        end_replay(loop, "the session has no keys");
     loop->stale = true;
     loop->due = now(NULL);
     while (!loop->lab.closed && signal_number == 0) {

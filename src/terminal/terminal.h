@@ -23,7 +23,7 @@ typedef struct TerminalOptions {
 
 typedef struct Terminal Terminal;
 
-/* Takes over standard input and output. NULL: they are no terminal, or one that
+/* Takes over standard input and output. NULL: they are not a terminal, or one that
  * cannot place its cursor. */
 Terminal *terminal_open(const TerminalOptions *, Status *);
 void terminal_close(Terminal *); /* as it was before; NULL is allowed */

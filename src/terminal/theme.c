@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The hues are those that Okabe and Ito found to be told apart by all kinds of colour vision: blue for what
- * is measured, orange for what is predicted, purple for what is exact; brightness differs too, and the curves
- * have their own strokes. */
+/* The hues are those that Okabe and Ito found to be distinguishable in all kinds of colour vision: blue for
+ * what is measured, orange for what is predicted, purple for what is exact; brightness differs too, and the
+ * curves have their own strokes. */
 typedef struct Row {
     short dark, light, eight, eight_light; /* foreground of 256 colours and of eight, by ground */
     short dark_back, light_back, eight_back;
@@ -41,7 +41,7 @@ static const Row rows[STYLE_RAMP_0] = {
 };
 
 /* From dark purple over green to yellow, brightness rising all the way, so that it reads in grey too. On a
- * light ground it ends in a darker yellow, which is still told from white. */
+ * light ground it ends in a darker yellow, which still differs from white. */
 static const short ramp_256[2][RAMP_STEPS] = {
     {53, 54, 55, 24, 25, 61, 31, 67, 36, 72, 77, 113, 149, 185, 220, 226},
     {53, 54, 55, 24, 25, 61, 30, 31, 67, 36, 72, 106, 107, 142, 143, 178},

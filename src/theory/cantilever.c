@@ -34,7 +34,7 @@ enum { MODES = 10, GAUSS_POINTS = 64, SAMPLES_PER_FAST_PERIOD = 16 };
 #define SAMPLES_MAX 1e7
 enum { SAMPLES_A_QUESTION = 64, STEPS_A_SAMPLE = 10000 };
 
-/* What bends a section is told of a motion of so many samples at most: 160 MB. */
+/* What bends a section is computed for a motion of so many samples at most: 160 MB. */
 #define MODAL_SAMPLES_MAX 1000000
 
 typedef struct Tip {

@@ -269,7 +269,7 @@ static double sine_shape(const BarTheory *bar, int number, double x)
     return bar->left_fixed ? math_sin(phase) : math_cos(phase);
 }
 
-/* Whether a mode is one of two materials, which is no sine. */
+/* Whether a mode is one of two materials, which is not a sine. */
 static bool is_of_two(const BarTheory *bar, int number)
 {
     return number > 0 && bar_is_layered(bar);

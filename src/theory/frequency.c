@@ -385,7 +385,7 @@ static bool measure_record(Record *record, Status *status)
         low = fmin(low, record->values[k]), high = fmax(high, record->values[k]);
     }
     record->middle = low / 2 + high / 2, record->scale = high / 2 - low / 2;
-    /* what rounding leaves of a constant is no motion */
+    /* round-off of a constant is not motion */
     if (!(record->scale > 16 * DBL_EPSILON * fmax(fabs(low), fabs(high))) || record->scale < DBL_MIN)
         return status_fail(status, "nothing moves: no frequency");
     double sum = 0, squares = 0;
@@ -490,7 +490,7 @@ static bool fit_from(Record *record, double unknowns[UNKNOWNS_MAX], Status *stat
 }
 
 /* From an angle, first without a decay. The start of the decay is the best of a scan over what may be left at
- * the end; it is kept where it explains at least half of what is left without. Less than a period tells no
+ * the end; it is kept where it explains at least half of what is left without. Less than a period gives no
  * decay from an offset. */
 static bool fit_at(Record *record, double angle, double unknowns[UNKNOWNS_MAX], double *left, Status *status)
 {

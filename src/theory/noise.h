@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the residuals of a least-squares fit tell of the noise in its data, and how well the parameters are
+/* What the residuals of a least-squares fit show of the noise in its data, and how well the parameters are
  * known if that is all that they hold.
  *
  * The noise is taken to be Gaussian, of one strength, and to hang together over time: two data tau apart by
@@ -18,7 +18,7 @@ enum { NOISE_PARAMETERS_MAX = 8 };
 typedef struct Noise {
     double correlation; /* r, 0 to below 1 */
     double white;       /* the chance that white noise looks like the residuals (Ljung and Box); 0 to 1 */
-    double chance;      /* and that noise with r does: what is below 1e-3 is no such noise, and then ... */
+    double chance;      /* and that noise with r does: below 1e-3 it is not such noise, and then ... */
     double half_widths[NOISE_PARAMETERS_MAX]; /* ... these 95 % intervals of Student's t do not hold */
     double correlations[NOISE_PARAMETERS_MAX][NOISE_PARAMETERS_MAX]; /* of the parameters, -1 to 1 */
 } Noise;

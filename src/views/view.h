@@ -41,7 +41,7 @@ struct View {
     int (*variants)(const Screen *); /* how many there are without names; NULL: as many as words, or one */
 
     ViewDuel duel;
-    bool names_run;         /* in DUEL_IN_AXES: its legend does not tell whose picture it is */
+    bool names_run;         /* in DUEL_IN_AXES: its legend does not say whose picture it is */
     bool of_moment;         /* shows one moment, not the time up to it */
     bool has_time_axis;     /* along which the arrows move a cursor */
     bool is_list;           /* in which the arrows go from row to row */
@@ -154,7 +154,7 @@ bool view_map_small(const Screen *, Picture *);
 /* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
 void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
 
-/* Two notes that tell what a beam's run is judged by; false: it is a bar, or comes to rest: its findings tell
+/* Two notes that say what a beam's run is judged by; false: it is a bar, or comes to rest: its findings say
  * more. */
 bool beam_lines(const Screen *, char first[160], char second[160]);
 

@@ -206,8 +206,8 @@ const View view_beam = {
     .shows_start = shows_start,
 };
 
-/* The lines under a beam's plots: what its run is judged by. Phrases are parted by two spaces, what matters
- * most first; what has no room is left out whole. */
+/* The lines under a beam's plots: what its run is judged by. Phrases are separated by two spaces, what
+ * matters most first; what has no room is left out whole. */
 
 static double percent(double ratio)
 {

@@ -229,7 +229,7 @@ void cell_bonds_describe(const Screen *screen, int variant, Picture *picture)
 {
     NearBonds *bonds = malloc(sizeof *bonds);
     if (!bonds || !take_bonds(bonds, screen))
-        picture_say(picture, "bonds from near", "This node has no bonds.");
+        picture_say(picture, "close-up of bonds", "This node has no bonds.");
     else if (variant == 1)
         describe_family(bonds, picture);
     else {

@@ -18,7 +18,7 @@ static bool has_crack(const Screen *screen)
     return experiment_column(screen->experiment, "crack_x") >= 0;
 }
 
-/* The same two lines as under other plots of it. `first`: what this one tells beside them; "": nothing. */
+/* The same two lines as under other plots of it. `first`: what this one adds to them; "": nothing. */
 static void note_crack(const Screen *screen, Picture *picture, const char *first)
 {
     char lines[2][160];
@@ -231,8 +231,8 @@ static void describe_cost(const Screen *screen, Picture *picture)
             picture, "where the energy went, J/m^2", "%s",
             asked > QUESTIONS_MAX
                 ? "So many bonds broke that a picture would take too long: the summary at the end of a run "
-                  "tells."
-                : "There is no crack as yet, or s0 was changed on the way: then no bond's share is known.");
+                  "shows where the energy went."
+                : "There is no crack yet, or s0 was changed during the run: then no bond's share is known.");
         return;
     }
     const CrackCost *cost = &price.cost;

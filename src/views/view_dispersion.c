@@ -77,7 +77,7 @@ static void waves_plane_describe(const Screen *screen, bool transverse, Picture 
             plot_point(plot, (double)k / POINTS,
                        integral(settings, (Influence)shape, transverse, (double)k / POINTS));
     }
-    /* colour alone tells nobody apart: a letter stands on each curve along the rows */
+    /* colour alone does not distinguish them: a letter stands on each curve along the rows */
     for (int i = 0; i < CURVES; i += 2)
         picture_mark(picture, letter_at, speed(settings, &curves[i], transverse, letter_at),
                      (uint32_t)(unsigned char)curves[i].pen.letter, curves[i].pen.style);
@@ -150,7 +150,7 @@ static void mode_lines(const Screen *screen, char first[NOTE_TEXT], char second[
         snprintf(second, NOTE_TEXT, "%s",
                  found       ? "such a wave does not oscillate with this time step"
                  : has_waves ? "too short a wave for this mesh"
-                             : "its modes are no waves of one length here");
+                             : "its modes do not have a single wavelength here");
         if (!has_waves && readout->predicted_known)
             text_append(first, NOTE_TEXT, ", " LONG_SHORT("predicted", "pred") " %+.2f %%",
                         percent(readout->predicted / readout->exact));
@@ -289,7 +289,7 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
         picture_level(picture, 0, pen_exact, "exact");
     if (predicted)
         picture_name(picture, pen_predicted, "predicted");
-    /* A letter on each curve: colour alone tells nobody apart. */
+    /* A letter on each curve: colour alone does not distinguish them. */
     const char *letters = letters_of(screen);
     for (int i = 0; i < n_ways; i++) {
         plot_begin(&picture->plot, STROKE_LINE, (Pen){LINE_SOLID, letters[i], way_styles[i], RANK_GHOST, 0});
@@ -315,7 +315,7 @@ static double milliseconds(double seconds)
     return seconds / 1e-3;
 }
 
-/* A supported beam has a period; that of a moving one grows, so what is told is the error of its last
+/* A supported beam has a period; that of a moving one grows, so the error is that of its last
  * period. */
 static double beam_answer(const Readout *readout)
 {
@@ -399,7 +399,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const bool ways = shows_ways(screen, variant);
     char text[96];
     snprintf(text, sizeof text,
-             "What breaks has no period to be compared. The log (%d) tells when and where.", view_log.digit);
+             "A body that breaks has no period to compare. The log (%d) shows when and where.",
+             view_log.digit);
     if (screen_has(screen, HAS_LINE))
         describe_bar(screen, ways ? 0 : variant, ways, picture);
     else if (has_waves(screen) && variant > 0)

@@ -54,8 +54,8 @@ static bool breaks(const Experiment *experiment)
 }
 
 /* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
- * millionth of it, and the two cannot be told apart by a difference: a hundred-millionth more speed along the
- * beam, times its mass and its speed, is as much as the whole vibration. */
+ * millionth of it, and the two cannot be distinguished by a difference: a hundred-millionth more speed along
+ * the beam, times its mass and its speed, is as much as the whole vibration. */
 static double rigid_energy(const Experiment *experiment)
 {
     const Settings *settings = experiment_settings(experiment);
@@ -158,7 +158,7 @@ static double column_height(const Stack *stack, double from, double to, int upto
 }
 
 /* One point a column of dots: the rows of it. Bands need no extremes: their edges are sums that hardly change
- * within a column when the curve's oscillation is wider than one; where it is narrower, its mean is told. */
+ * within a column when the curve's oscillation is wider than one; where it is narrower, its mean is given. */
 static void add_bands(Picture *picture, const Stack *stack, double period, bool means)
 {
     Plot *plot = &picture->plot;
@@ -212,7 +212,7 @@ static bool unseen_shares(const Screen *screen, const Record *record, const Axis
 /* Where more than that is lost or gained it is not the ripple that is to be explained. */
 #define KEPT_SHARE 0.05
 
-/* Phrases parted by two spaces: total, E*, what the grid has not, and what the ripple is. */
+/* Phrases separated by two spaces: total, E*, what the grid has not, and what the ripple is. */
 static void energy_phrases(const Screen *screen, const Stack *stack, const Axis *x, char out[320])
 {
     const Record *record = stack->record;
@@ -297,7 +297,7 @@ static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs,
     runs_add_keys(picture, runs, n_runs);
 }
 
-/* One line for each run of a duel; else as many as there is to tell. */
+/* One line for each run of a duel; else as many as are needed. */
 static void note_runs(const Screen *screen, Picture *picture, bool both, double most_work)
 {
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
@@ -344,8 +344,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const bool means = period > 0 && !is_fine(picture);
     add_bands(picture, &stack, period, means);
     if (means) {
-        /* Each band that is high enough to be read has its name in it: colours alone would not tell them
-         * apart. */
+        /* Each band that is high enough to be read has its name in it: colours alone would not distinguish
+         * them apart. */
         const Axis *x = &picture->plot.x, *y = &picture->plot.y;
         const double time = x->low + (x->high - x->low) / 16, least = (y->high - y->low) / 24;
         for (int layer = 0; layer < stack.count && stack.record->count > 0; layer++) {

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The columns that can be in the probe view: what is measured and is no energy. */
+/* The columns that can be in the probe view: what is measured, without energies. */
 static bool is_energy(const char *name)
 {
     static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",    "work",     "dissipated",
@@ -42,7 +42,7 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     return count;
 }
 
-/* The column of a variant; the pictures of a crack follow the first one, *picture tells which (-1: it is
+/* The column of a variant; the pictures of a crack follow the first one, *picture says which (-1: it is
  * a column). */
 static int probe_column(const Screen *screen, int variant, int *picture)
 {
@@ -189,7 +189,7 @@ static void frequency_lines(const Screen *screen, char first[READOUT_TEXT], char
                      dies ? "  %.2f periods %s" : "  %.2f " LONG_SHORT("periods", "T") " %s",
                      fabs(readout->late), readout->late < 0 ? "ahead" : "behind");
         snprintf(period, sizeof period, "  T %+.*f %%%s", decimals, readout->error_period, late);
-        /* of what dies its decay is told, if not everything can be */
+        /* of a decaying motion the decay is given, if there is no room for all */
         text_append(second, READOUT_TEXT, dies ? "ω %+.*f %%" LONG_SHORT("%s", "") : "ω %+.*f %%%s", decimals,
                     readout->error_frequency, period);
         if (predicted && readout->overlap < READOUT_PURE)

@@ -2,8 +2,8 @@
 /* A body in the plane through its height, at the chosen particle's x, beside what beam theory says of a
  * section: the axial displacement lies on the line -y duy/dx where sections stay plane and upright (eq. 14 of
  * paper P); the bending stress is a straight line; the shear stress a parabola. Where cells hold several
- * columns of particles those of the chosen one's cell are drawn, and their mean: what shears them apart is no
- * shear of the beam but that of cells that cannot bend. */
+ * columns of particles those of the chosen one's cell are drawn, and their mean: what shears them apart is
+ * not shear of the beam but that of cells that cannot bend. */
 #include "views/map/map.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_time.h"

@@ -213,7 +213,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
     return true;
 }
 
-/* "predicted through height 1098, 2038 kHz", so many; false: there is nothing to tell. */
+/* "predicted through height 1098, 2038 kHz", so many; false: nothing to describe. */
 static bool thickness_line(const Experiment *experiment, int most, char out[160])
 {
     double thickness[THICKNESS_LINES_MAX];

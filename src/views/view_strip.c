@@ -90,7 +90,7 @@ static void note_factor(const Strip *strip, const char *what, const char *moved)
                  what, strip->k == 1 ? "" : factor.text, strip->k == 1 ? "" : " ", moved);
 }
 
-/* What the chosen one is linked with, as far as there is room; nothing where a method does not tell. */
+/* What the chosen one is linked with, as far as there is room; nothing where a method does not say. */
 static size_t find_links(const Strip *strip, Link links[LINKS_MAX])
 {
     const Simulation *sim = strip->sim;
@@ -169,8 +169,8 @@ static void add_amounts(const Bar *bar, const char *field, const char *name, sig
 }
 
 /* The ends of the particles' domains, where these have a length of their own: it is drawn enlarged as places
- * are, a change of length k times as large. Where they would stand too close to be told apart, those of the
- * chosen particle alone, and none where there are no dots finer than a column. True: those of all. */
+ * are, a change of length k times as large. Where they would stand too close to be distinguished, those of
+ * the chosen particle alone, and none where there are no dots finer than a column. True: those of all. */
 static bool add_domains(const Bar *bar)
 {
     const Strip *strip = bar->strip;

@@ -47,9 +47,9 @@ START_TEST(what_is_no_file_is_refused_at_once)
 {
     refused(in_folder("none"), ": cannot be read: No such file or directory", ENOENT);
     refused(folder, ": cannot be read: Is a directory", EISDIR);
-    refused("/dev/zero", ": is a pipe or a device (a file is wanted)", 0);
+    refused("/dev/zero", ": is a pipe or a device (a file is expected)", 0);
     ck_assert_int_eq(mkfifo(in_folder("file"), 0600), 0);
-    refused(in_folder("file"), ": is a pipe or a device (a file is wanted)", 0); /* nobody writes to it */
+    refused(in_folder("file"), ": is a pipe or a device (a file is expected)", 0); /* nobody writes to it */
 }
 END_TEST
 
@@ -113,7 +113,7 @@ START_TEST(lines_have_a_length)
     fclose(lines.stream);
     open_text("a\0b\n", 4);
     ck_assert_int_eq(next(line, &status), INPUT_WRONG);
-    ck_assert_str_eq(status.text, "f:1: holds a zero byte (text is wanted)");
+    ck_assert_str_eq(status.text, "f:1: holds a zero byte (text is expected)");
     fclose(lines.stream);
 }
 END_TEST

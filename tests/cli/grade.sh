@@ -124,7 +124,7 @@ END
 result "all wrong" student "Emmy Noether" wrong.session
 printf 'wait 1\nkey n n\n' >play.script
 result "nothing done" student "-Max" missing.session
-printf 'wait 1\nkey Enter\ntype four\nkey Enter\nexpect a number is wanted\nkey Esc\n' >play.script
+printf 'wait 1\nkey Enter\ntype four\nkey Enter\nexpect a number is expected\nkey Esc\n' >play.script
 result "a word is no number" student Max word.session
 cat >play.script <<'END'
 wait 1
@@ -205,7 +205,7 @@ cat >students.right <<'END'
 17;Zoë Ångström;2,5;7,5;1 Number: right; 2 Choose: not right; 3 Words: to be read;4;2;
 18;Zoë Ångström;1;7,5;1 Number: not right; 2 Choose: right; 3 Words: to be read;4;1;
 bo@example.org;Bo;0;7,5;1 Number: no answer; 2 Choose: no answer; 3 Words: no answer;0;1;
-bo@example.org;Cut;;7,5;;0;0;cut: it has no end
+bo@example.org;Cut;;7,5;;0;0;cut off: the end is missing
 END
 tr -d '"' <students >students.plain
 result "the best of each exercise, a choice's first answer, weights, IDs" diff students.right students.plain
@@ -302,12 +302,12 @@ expect "what gets no mark" 1 own.lesson stolen.session less.session cut.session 
 	pipe.session . run.session late.session right.session --output bad.csv
 result "it is said how many" says err '^matvib: 17 of 18 sessions have no marks (see the remarks)$'
 result "each has its row" lines bad.csv 22
-result "a changed name" remark_is bad.csv stolen.session "Emmy Noether" "edited: its check is not that of its lines"
-result "a key less" remark_is bad.csv less.session "Ada Lovelace" "edited: its check is not that of its lines"
-result "no end" remark_is bad.csv cut.session "Ada Lovelace" "cut: it has no end"
-result "no end and no check" remark_is bad.csv stopped.session "Ada Lovelace" "cut: it has no end"
-result "no name" remark_is bad.csv nameless.session "" "foreign: it has no name (matvib lesson NAME --name)"
-result "another text" remark_is bad.csv text.session "Ada Lovelace" '"foreign: it is of another lesson, or of another text of this one"'
+result "a changed name" remark_is bad.csv stolen.session "Emmy Noether" "edited: checksum mismatch"
+result "a key less" remark_is bad.csv less.session "Ada Lovelace" "edited: checksum mismatch"
+result "no end" remark_is bad.csv cut.session "Ada Lovelace" "cut off: the end is missing"
+result "no end and no check" remark_is bad.csv stopped.session "Ada Lovelace" "cut off: the end is missing"
+result "no name" remark_is bad.csv nameless.session "" "foreign: no student name (matvib lesson NAME --name)"
+result "another text" remark_is bad.csv text.session "Ada Lovelace" '"foreign: the session of another lesson, or of another version of this one"'
 result "another version" remark_is bad.csv program.session "Ada Lovelace" "foreign: it is of another version of matvib (this is $version)"
 result "of no version" remark_is bad.csv free.session "" "damaged: free.session: is not a session of matvib $version (it names no version)"
 result "a broken line" says bad.csv '^,,,,,,,broken.session,damaged: broken.session:[0-9]*: not a place of a session (end STEP'
@@ -315,8 +315,8 @@ for file in half noise empty none pipe; do
 	result "$file" says bad.csv "^,,,,,,,$file.session,\"*damaged: $file.session"
 done
 result "a folder" says bad.csv '^,,,,,,,.,damaged: .: cannot be read: Is a directory$'
-result "the session of a run" remark_is bad.csv run.session "" "foreign: it is not the session of a lesson"
-result "another lesson" remark_is bad.csv late.session "Ada" '"foreign: it is of another lesson, or of another text of this one"'
+result "the session of a run" remark_is bad.csv run.session "" "foreign: not the session of a lesson"
+result "another lesson" remark_is bad.csv late.session "Ada" '"foreign: the session of another lesson, or of another version of this one"'
 result "the good one among them has its marks" row_is bad.csv right.session 1 "$ada,$ada,1,2"
 
 # sessions whose scenario cannot be read, as those of a version to come: a row for each, and nothing stays behind
@@ -384,7 +384,7 @@ result "a session with many steps" student Eve long.raw
 edited long.raw 's/^end .*/end 900000000 1.000 80x24/' longer.raw
 sealed longer.raw long.session
 expect "takes for ever" 1 own.lesson long.session --limit 1 --output long.csv
-result "and gets no mark" remark_is long.csv long.session Eve "it takes too long to be done again"
+result "and gets no mark" remark_is long.csv long.session Eve "it takes too long to replay"
 {
 	sed '/^at/,$d' right.session
 	yes 'at 0 0.000 1000x1000 h' | head -n 6000
@@ -392,7 +392,7 @@ result "and gets no mark" remark_is long.csv long.session Eve "it takes too long
 } >many.raw
 sealed many.raw many.session
 expect "6000 keys on a large screen" 1 own.lesson many.session --limit 1 --output many.csv
-result "get no mark" remark_is many.csv many.session "Ada Lovelace" "it takes too long to be done again"
+result "get no mark" remark_is many.csv many.session "Ada Lovelace" "it takes too long to replay"
 
 # --- the lesson's text, and the scenarios that it opens, which lie beside it ---
 mkdir -p class
@@ -410,7 +410,7 @@ expect "a comment changes nothing" 0 class/own.lesson ida.session --output ida2.
 result "at all" cmp ida.csv ida2.csv
 edited commented 's/^end = 20/end = 21/' class/short.ini
 expect "another scenario does" 1 class/own.lesson ida.session --output ida3.csv
-result "and is told" says ida3.csv 'foreign: it is of another lesson, or of another text of this one'
+result "and is told" says ida3.csv 'foreign: the session of another lesson, or of another version of this one'
 rm class/short.ini
 refuse "a scenario that is missing" "class/own.lesson: class/short.ini: cannot be read: No such file or directory" class/own.lesson ida.session
 
@@ -434,7 +434,7 @@ if "$MATVIB" lesson own.lesson --handout probe.pdf >out 2>err; then
 		result "and no answer" sh -c '! grep "cell_size 0.5" ada.txt'
 		pdftotext -layout sheet.pdf sheet.txt
 		result "the sheet has what was right" says sheet.txt '3 of 3 right'
-		result "and why there are no marks" says sheet.txt 'No marks: cut: it has no end\.'
+		result "and why there are no marks" says sheet.txt 'No marks: cut off: the end is missing\.'
 		result "two pages" test "$(tr -cd '\f' <sheet.txt | wc -c)" -eq 2
 	else
 		skip "the words of the pages" "no pdftotext"

@@ -81,7 +81,7 @@ result "nor a control character" refused "c1.session:$(wc -l <c1.session): is no
 head -c 1000000 /dev/zero | tr '\0' a >endless.session
 result "a line has an end" refused 'endless.session:1: the line is too long (at most 1100 bytes)' --replay endless.session
 mkfifo pipe.session
-result "a pipe is not a session" refused 'pipe.session: is a pipe or a device (a file is wanted)' --replay pipe.session
+result "a pipe is not a session" refused 'pipe.session: is a pipe or a device (a file is expected)' --replay pipe.session
 result "nor is a folder" refused '.: cannot be read: Is a directory' --replay .
 # the computer stopped in the middle of a line
 sed '/^end/d' mode5.session >open.session

@@ -93,7 +93,7 @@ START_TEST(what_cannot_be_judged_is_refused)
     enter_folder(folder);
     write_data("own.csv");
     Bench *bench = open_bench("mode1", true);
-    ck_assert_ptr_nonnull(strstr(enter(bench, "diagnose"), "a file is wanted"));
+    ck_assert_ptr_nonnull(strstr(enter(bench, "diagnose"), "a file is expected"));
     press(bench, "Esc");
     ck_assert_ptr_nonnull(strstr(enter(bench, "diagnose none.csv"), "none.csv"));
     press(bench, "Esc");

@@ -65,7 +65,7 @@ START_TEST(the_modulus_is_found)
     /* what the mesh does to the curve is no noise */
     ck_assert_ptr_nonnull(strstr(bench->lab.screen.message->text, "residuals "));
     ck_assert_ptr_nonnull(
-        strstr(bench->lab.screen.message->text, "they are no noise: the intervals do not hold"));
+        strstr(bench->lab.screen.message->text, "they are not noise: the intervals do not hold"));
     press(bench, "u");
     ck_assert_double_eq(modulus(bench), 100);
     close_bench(bench);

@@ -89,8 +89,8 @@ START_TEST(verbs_take_arguments)
 END_TEST
 
 static const char *const bad_lines[][2] = {
-    {"set", "a key and a value are wanted"},
-    {"set initial.mode", "a key and a value are wanted"},
+    {"set", "a key and a value are expected"},
+    {"set initial.mode", "a key and a value are expected"},
     {"set initial.mod 3", "initial.mode"},
     {"initial.mode=x", "not a number"},
     {"goto", "a time, as in 12.5"},
@@ -140,7 +140,7 @@ START_TEST(tab_completes_words_keys_values_and_files)
         {"cell s", "mesh.cell_size=", ""},
         {"Courant n", "time.courant=", ""},
         {"traction_", "load.traction_layer=", ""},
-        {"number", "number", "no name begins with that"},
+        {"number", "number", "no match"},
         {"tra", "tra", "mpm.transfer  load.traction  load.traction_layer"},
         {"cell_size=", "cell_size=", "> 0: size dx"},
         {"set algorithm us", "set algorithm us", "usf  usl"},

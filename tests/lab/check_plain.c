@@ -300,7 +300,7 @@ END_TEST
 START_TEST(equations_and_alternatives_keep_their_bars)
 {
     Talk *talk = open_talk("notched-beam-coarse");
-    says(talk, "help", "help all tells all keys");
+    says(talk, "help", "help all prints all keys");
     says(talk, "help all", "s = (|xi+eta| - |xi|)/|xi|");
     says(talk, "help all", "all|exact|predicted|none");
     line(talk, "Esc");
@@ -431,7 +431,7 @@ static void check_page(Talk *talk, const char *lesson, const char *said)
     ck_assert_msg(lines_of(said) <= PAGE_LINES, "%s: %d lines: %s", lesson, lines_of(said), said);
     ck_assert_msg(!strstr(said, "gives up"), "%s: work that is done: %s", lesson, said);
     ck_assert_msg(strstr(said, heading), "%s: no page %d: %s", lesson, number, said);
-    ck_assert_msg(!strstr(said, "View ") && !strstr(said, " 1 Stage ") && !strstr(said, "more tells"),
+    ck_assert_msg(!strstr(said, "View ") && !strstr(said, " 1 Stage ") && !strstr(said, "more prints"),
                   "%s: %s", lesson, said);
     ck_assert_msg(n_choices == 0 || strstr(said, choice), "%s: %s", lesson, said);
     is_plain(said);
@@ -439,8 +439,8 @@ static void check_page(Talk *talk, const char *lesson, const char *said)
         says(talk, "more", told);
 }
 
-/* By `n`; of a beam or a plate, which takes long to be opened, where not everything is wanted only to pages
- * that are within a step, and to others by their text. */
+/* By `n`; of a beam or a plate, which takes long to be opened, where not everything is requested only to
+ * pages that are within a step, and to others by their text. */
 static const char *turn_page(Talk *talk)
 {
     Screen *screen = &talk->plain.lab.screen;
@@ -500,7 +500,7 @@ START_TEST(a_long_page_goes_on)
     Talk *talk = open_talk("mode5");
     const char *said = line(talk, "lesson long.lesson");
     ck_assert_msg(lines_of(said) == PAGE_LINES &&
-                      strstr(said, "line 7 of it.\nmore tells the rest, choices too.\n"),
+                      strstr(said, "line 7 of it.\nmore prints the rest, with the choices.\n"),
                   "%s", said);
     said = line(talk, "more");
     ck_assert_msg(strncmp(said, " line 8 of it.\n", 15) == 0 &&
@@ -510,7 +510,7 @@ START_TEST(a_long_page_goes_on)
     line(talk, "b");
     line(talk, "n");
     ck_assert_ptr_null(strstr(line(talk, "more"), "of it."));
-    says(talk, "b", "line 7 of it. more tells the rest, choices too.");
+    says(talk, "b", "line 7 of it. more prints the rest, with the choices.");
     says(talk, "n", "short");
     ck_assert_ptr_null(strstr(line(talk, "more"), "of it."));
     close_talk(talk);

@@ -104,7 +104,7 @@ START_TEST(a_run_stops_where_bodies_touch)
     ck_assert(shows(bench, "there are no bodies that can touch in this run"));
     enter_line(bench, "open two-discs");
     enter_line(bench, "until crossing");
-    ck_assert(shows(bench, "crossings of cells are not told in this run"));
+    ck_assert(shows(bench, "cell crossings are not recorded in this run"));
     close_bench(bench);
 }
 END_TEST

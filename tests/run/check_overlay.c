@@ -185,7 +185,7 @@ static const struct {
     {"0;1\n1;1.000,5\n", "dir/student.csv:2: column 2: '1.000,5' is not a number"},
     {"a,\"b\n1,2\n", "dir/student.csv:1: a quoted cell is not closed"},
     {"a,\"b\" c\n1,2\n", "dir/student.csv:1: there is text after a quoted cell"},
-    {"a,b\n1,\x01\n", "dir/student.csv:2: holds bytes that are no text"},
+    {"a,b\n1,\x01\n", "dir/student.csv:2: holds bytes that are not text"},
     {"\xff\xfet", "dir/student.csv:1: is UTF-16 text"},
 };
 

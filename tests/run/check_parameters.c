@@ -180,7 +180,7 @@ START_TEST(the_whole_is_checked)
         {&problem_bar, "initial.mode", "0", "initial.mode: 0 is rigid motion"},
         {&problem_bar, "initial.mode", "51", "initial.mode: 51 is finer"},
         {&problem_bar, "initial.overtones", "1:0.1", "initial.overtones: mode 1 is initial.mode"},
-        {&problem_bar, "initial.overtones", "3:0.1,3:0.2", "initial.overtones: mode 3 stands twice"},
+        {&problem_bar, "initial.overtones", "3:0.1,3:0.2", "initial.overtones: mode 3 is given twice"},
         {&problem_bar, "initial.overtones", "3", "initial.overtones: \"3\" cannot be read"},
         {&problem_bar, "initial.overtones", "3:0.1,", "initial.overtones: ends in a comma"},
         {&problem_bar, "load.traction_layer", "26", "load.traction_layer: 26 is out of range"},

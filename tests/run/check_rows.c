@@ -114,7 +114,7 @@ static const struct {
     {"[cuts]\na = 0 -1mm 1cm 1cm\n", "f.ini:4: cuts.a: y0: -1mm is off the plate (0 or more)"},
     {"[cuts]\na = 0 0 20cm 1cm\n", "f.ini:4: cuts.a: x1 = 0.2 is off the plate (0 to plate.length = 0.1)"},
     {"[cuts]\na = 0 0 1cm 0.05\n", "f.ini:4: cuts.a: y1 = 0.05 is off the plate (0 to plate.height = 0.04)"},
-    {"[cuts]\na = 0 0 1 1\na = 0 0 1 1\n", "f.ini:5: cuts.a: stands twice (first in line 4)"},
+    {"[cuts]\na = 0 0 1 1\na = 0 0 1 1\n", "f.ini:5: cuts.a: is given twice (first in line 4)"},
     {"[cuts]\nwith-a-name-that-is-long = 0 0 1 1\n",
      "f.ini:4: cuts.with-a-name-that-is-long: invalid name of a cut (1 to 23 letters, digits, _ and -)"},
     {"[cuts]\na.b = 0 0 1 1\n", "f.ini:4: cuts.a: there is no cut of that name (none at all)"},

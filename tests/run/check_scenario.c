@@ -183,7 +183,7 @@ static const struct {
     {"", "f.ini:1: holds no scenario (at least [scenario] and a key)"},
     {"# nothing\n\n", "f.ini:1: holds no scenario (at least [scenario] and a key)"},
     {"[scenario]\n", "f.ini:1: holds no scenario (at least [scenario] and a key)"},
-    {"problem = bar\n", "f.ini:1: problem: stands before any section (begin with [scenario])"},
+    {"problem = bar\n", "f.ini:1: problem: is before any section (begin with [scenario])"},
     {"[scenario]\nproblem = beem\n",
      "f.ini:2: scenario.problem: beem is not a choice (bar | simply-supported-beam | moving-cantilever | "
      "notched-beam | plate | one-particle | hanging-column | bodies)"},
@@ -234,9 +234,9 @@ static const struct {
     {BAR "[mesh]\nparticles_per_cell = 2.5\n",
      "f.ini:4: mesh.particles_per_cell: 2.5 is not a whole number (1 to 8)"},
     {BAR "[mesh]\ncell_size = 1\n\ncell_size = 2\n",
-     "f.ini:6: mesh.cell_size: stands twice (first in line 4)"},
+     "f.ini:6: mesh.cell_size: is given twice (first in line 4)"},
     {BAR "[mesh]\ncell_size = 1\n[time]\nend = 5\n[mesh]\ncell_size = 1\n",
-     "f.ini:8: mesh.cell_size: stands twice (first in line 4)"},
+     "f.ini:8: mesh.cell_size: is given twice (first in line 4)"},
     {BAR "[mesh]\n  cell_size = 0.5\n", "f.ini:4: cell_size: is indented (keys begin in the first column)"},
     {BAR "about = one\n  mode = 5\n", "f.ini:4: mode: is indented (keys begin in the first column)"},
     {BAR "[mesh]\ncell_size = 1\n  0\n",
@@ -249,10 +249,10 @@ static const struct {
     {BAR "title = " X100 "\n", "f.ini:3: scenario.title: is 100 bytes long (at most 79)"},
     {BAR "# " X100 X100 X100 X100 X100 X100 X100 X100 X100 X100 "\n",
      "f.ini:3: the line is too long (at most 1000 bytes)"},
-    {BAR "title = caf\xe9\n", "f.ini:3: bytes that are no text (UTF-8 without control characters)"},
-    {BAR "# caf\xe9\n", "f.ini:3: bytes that are no text (UTF-8 without control characters)"},
-    {BAR "title = \x1b[2J\n", "f.ini:3: bytes that are no text (UTF-8 without control characters)"},
-    {"[scenario]\rproblem = bar\r", "f.ini:1: bytes that are no text (UTF-8 without control characters)"},
+    {BAR "title = caf\xe9\n", "f.ini:3: bytes that are not text (UTF-8 without control characters)"},
+    {BAR "# caf\xe9\n", "f.ini:3: bytes that are not text (UTF-8 without control characters)"},
+    {BAR "title = \x1b[2J\n", "f.ini:3: bytes that are not text (UTF-8 without control characters)"},
+    {"[scenario]\rproblem = bar\r", "f.ini:1: bytes that are not text (UTF-8 without control characters)"},
     {BAR "[mesh]\ncellsize = 1\n", "f.ini:4: mesh.cellsize: unknown key (did you mean mesh.cell_size?)"},
     {BAR "[bar]\ncell_size = 1\n", "f.ini:4: bar.cell_size: unknown key (did you mean mesh.cell_size?)"},
     {BAR "[mesh]\nzebra = 1\n", "f.ini:4: mesh.zebra: unknown key (see: matvib params bar)"},
@@ -294,7 +294,7 @@ static const struct {
     {BAR "[changes]\n5 = mpm.algorithm=usx\n",
      "f.ini:4: changes.5: mpm.algorithm: usx is not a choice (usf | usl | musl)"},
     {BAR "[changes]\n5 = mpm.algorithm=usl\n5 = mpm.algorithm = usf\n",
-     "f.ini:5: changes.5: stands twice (first in line 4)"},
+     "f.ini:5: changes.5: is given twice (first in line 4)"},
     {NOTCHED "[pd]\ncritical_stretch = 0.001\ncritical_energy = 30\n",
      "f.ini:5: pd.critical_energy: pd.critical_stretch is given in line 4 and says the same (one of them)"},
     {NOTCHED "[pd]\nhorizon = 1e-4\n",
@@ -333,7 +333,7 @@ START_TEST(damage_that_no_string_can_hold)
     Status status;
     static const char nul[] = "[scenario]\nproblem = b\0ar\n";
     ck_assert(!read_bytes(nul, sizeof nul - 1, &settings, &status));
-    ck_assert_str_eq(status.text, "f.ini:2: holds a zero byte (text is wanted)");
+    ck_assert_str_eq(status.text, "f.ini:2: holds a zero byte (text is expected)");
     size_t lines = 6000;
     char *many = malloc(2 * lines + 1);
     for (size_t i = 0; i < lines; i++)

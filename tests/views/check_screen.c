@@ -285,7 +285,7 @@ static void expect_whole_numbers(const Canvas *canvas, const char *what)
         }
 }
 
-/* Pictures that take long, and of which another one shows nearly the same: where everything is wanted. */
+/* Pictures that take long, and of which another one shows nearly the same: where everything is requested. */
 static const char *const long_ones[] = {
     "study-methods",        "study-uncorrected",  "study-nodes-ascii",   "notched-near-ascii",
     "notched-map-large",    "family-large-ascii", "cantilever-energies", "duel-notched",

@@ -241,7 +241,7 @@ static const uint32_t two_by_pi[] = {
 /* x = (quadrant + f) pi/2, |f| <= 1/2, and r = f pi/2 to 2^-170 of itself: no double is nearer to a multiple
  * of pi/2 than 2^-62 of that multiple (J.-M. Muller, Elementary Functions (2006), chapter 9).
  *
- * x = m 2^e with m an integer of 53 bits. Of m 2^e 2/pi only the part below 4 is wanted, so bits of 2/pi that
+ * x = m 2^e with m an integer of 53 bits. Of m 2^e 2/pi only the part below 4 is needed, so bits of 2/pi that
  * are worth 4 and more when multiplied by 2^e are left out (M. Payne, R. Hanek, SIGNUM Newsletter 18, 1983):
  * a window of 320 bits beginning there, times m, is a fixed-point number with `point` bits behind the point.
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `matvib sweep SCENARIO --vary KEY=A,B,C ...`: many runs that differ in some parameters, a row for each. The
  * threads of a pool take one combination after the other; every run has its row's place from the start, so
- * that neither the table nor what is told depends on how many run side by side. */
+ * that neither the table nor the messages depend on how many run side by side. */
 #include "base/hash.h"
 #include "base/wait.h"
 #include "base/input.h"

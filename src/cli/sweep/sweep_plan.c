@@ -217,7 +217,7 @@ static double percent(double value, double reference)
     return 100 * (value / reference - 1);
 }
 
-/* The numbers of a run without motion are no answers, even where theory knows them. */
+/* The numbers of a run without motion are not answers, even where theory knows them. */
 void sweep_result_of(const RunSummary *run, const Settings *settings, double wall, SweepResult *result)
 {
     const Readout *readout = &run->readout;

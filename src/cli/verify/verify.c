@@ -33,7 +33,7 @@ static bool is_known(const char *name, Status *status)
         if (text_distance(name, check->name) < text_distance(name, nearest->name))
             nearest = check;
     }
-    return status_refuse(status, "verify: unknown name \"%s\" (the nearest is %s; --list tells all)", name,
+    return status_refuse(status, "verify: unknown name \"%s\" (the nearest is %s; --list shows all)", name,
                          nearest->name);
 }
 

@@ -56,8 +56,8 @@ typedef struct VerifyRun {
     Status failure;               /* why there is no run; code STATUS_DONE: there is */
 } VerifyRun;
 
-/* Runs a scenario: its name and KEY=VALUE ... behind, parted by spaces; rows every output.every steps. False:
- * the run's failure says why. The run is closed in any case by verify_run_close(). */
+/* Runs a scenario: its name and KEY=VALUE ... behind, separated by spaces; rows every output.every steps.
+ * False: the run's failure says why. The run is closed in any case by verify_run_close(). */
 bool verify_run_open(VerifyRun *, const char *scenario, int threads, Cancel);
 void verify_run_close(VerifyRun *);
 

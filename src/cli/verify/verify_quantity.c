@@ -465,7 +465,8 @@ double quantity_stretch_error(VerifyRun *run, const VerifyRow *row)
     return off;
 }
 
-/* Hypoelastic: 0. Neo-Hookean, x = (w dt)^2: (G x + lambda ln(1 + x))/(1 + x), for I + dt W is no rotation.
+/* Hypoelastic: 0. Neo-Hookean, x = (w dt)^2: (G x + lambda ln(1 + x))/(1 + x), for I + dt W is not a
+ * rotation.
  */
 double quantity_turn_error(VerifyRun *run, const VerifyRow *row)
 {

@@ -101,7 +101,7 @@ static bool fill_row(void *owner, Run *passing, long step, const double *row, St
     const size_t place = (size_t)((step + every - 1) / every);
     (void)status;
     if (place >= run->count)
-        return true; /* the last step, where it is no multiple */
+        return true; /* the last step, where it is not a multiple */
     references_row(run->refs, step, (double)step * passing->sim->dt, row,
                    run->rows + place * (size_t)run->n_columns);
     return true;

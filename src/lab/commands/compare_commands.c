@@ -91,7 +91,7 @@ void command_undo(Laboratory *lab, int by)
     edit_changed(lab);
     player_tell_duel_over(lab, &status);
     if (lab->message.kind == MESSAGE_NONE)
-        laboratory_tell(lab, "%s: %s", back ? "undone" : "done again", change);
+        laboratory_tell(lab, "%s: %s", back ? "undone" : "redone", change);
 }
 
 /* The duel: a second run beside the first one. */
@@ -127,7 +127,7 @@ bool command_second_answer(Laboratory *lab, const char *words)
             return prompt_refuse(lab, "%s", status.text);
     }
     if (n_keys == 0)
-        return prompt_refuse(lab, "KEY=VALUE is wanted, as in mpm.algorithm=usl; Tab completes");
+        return prompt_refuse(lab, "KEY=VALUE is expected, as in mpm.algorithm=usl; Tab completes");
     return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || prompt_refuse(lab, "%s", status.text);
 }
 

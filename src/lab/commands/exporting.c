@@ -203,7 +203,7 @@ static bool export_named(Laboratory *lab, const char *text)
     if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
         length -= 4;
     if (length == 0)
-        return prompt_refuse(lab, "a name is wanted");
+        return prompt_refuse(lab, "a name is expected");
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
     memcpy(lab->exporting.name, name, sizeof name);
     file_names(&lab->player.duel, 0, name, paths);
@@ -306,7 +306,7 @@ bool exporting_ask(Laboratory *lab, const char *name)
         refuse(lab, computing);
         return true;
     }
-    const bool inside = experiment_stage(experiment) > 0; /* then it is this stage that is wanted */
+    const bool inside = experiment_stage(experiment) > 0; /* then this stage is exported */
     lab->exporting.newest = !inside;
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
     if (!inside && experiment_newest(experiment) == 0)
@@ -374,7 +374,7 @@ bool exporting_figure(Laboratory *lab, const char *words)
     const char *file = words;
     const View *view = take_view(screen, &file);
     if (!*file)
-        return prompt_refuse(lab, "a file is wanted: FILE.svg, .pdf, .png, .tex or .gp");
+        return prompt_refuse(lab, "a file is expected: FILE.svg, .pdf, .png, .tex or .gp");
     if (!figure_allowed(file, &status))
         return prompt_refuse(lab, "%s", status.text);
     if (!exporting_name_fits(lab, file))
@@ -426,7 +426,7 @@ static bool write_scenario(Laboratory *lab, bool force)
 bool exporting_scenario(Laboratory *lab, const char *text)
 {
     if (!text[0] || output_is_standard(text))
-        return prompt_refuse(lab, "a file name is wanted");
+        return prompt_refuse(lab, "a file name is expected");
     if (!exporting_name_fits(lab, text))
         return false;
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", text);

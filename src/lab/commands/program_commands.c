@@ -18,7 +18,7 @@ void command_filter(Laboratory *lab)
     if (lab->screen.panes.inspecting)
         command_close_inspector(&lab->screen);
     lab->screen.panes.focus = PANE_PARAMETERS;
-    prompt_ask(lab, edit_answer_filter, false, lab->parameters.filter, "parameters whose name holds");
+    prompt_ask(lab, edit_answer_filter, false, lab->parameters.filter, "parameters whose name contains");
 }
 
 void command_help_pages(Laboratory *lab)
@@ -38,7 +38,7 @@ static bool quit_key(Laboratory *lab, const char *key)
 {
     if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
         return false;
-    /* Enter or Esc is no clear answer, and the keys behind it must not become commands */
+    /* Enter or Esc does not answer, and the keys behind it must not become commands */
     prompt_refuse(lab, "y leaves, n stays");
     return true;
 }

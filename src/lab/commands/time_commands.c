@@ -383,7 +383,7 @@ void command_previous_event(Laboratory *lab)
 /* --- a stretch of time -------------------------------------------------------------------------------------
  */
 
-/* Two times parted by a space or, where they have spaces of their own, by "to". */
+/* Two times separated by a space or, where they have spaces of their own, by "to". */
 static bool read_times(const char *text, const Experiment *experiment, double *from, double *to)
 {
     char first[2 * NUMBER_TEXT_MAX];
@@ -413,7 +413,7 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     } else if (!read_times(text, laboratory_run(lab), &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
         const NumberText last = text_rounded(end, 6);
-        return prompt_refuse(lab, "two times are wanted, as in loop 0 %s, the second at most %s", last.text,
+        return prompt_refuse(lab, "two times are expected, as in loop 0 %s, the second at most %s", last.text,
                              last.text);
     }
     player_pause(lab);

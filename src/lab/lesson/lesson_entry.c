@@ -207,8 +207,7 @@ static void arrive(Laboratory *lab)
     if (lab->message.kind != MESSAGE_ERROR && play->resumes > 0)
         laboratory_tell(lab, "you had come to page %d; b turns back", play->resumes);
     else if (lab->message.kind != MESSAGE_ERROR)
-        laboratory_say(lab, MESSAGE_NONE, "%s",
-                       ""); /* its text tells what the page did, and what is to be feared */
+        laboratory_say(lab, MESSAGE_NONE, "%s", ""); /* its text says what the page did */
     play->resumes = 0;
     if (lab->player.pace_automatic)
         lesson_entry_choose_pace(lab);
@@ -277,7 +276,7 @@ bool lesson_entry_keeps(Laboratory *lab, const Key *key)
         return false;
     if (key->x < 0 && play->n_waiting < LESSON_KEYS_MAX)
         play->waiting[play->n_waiting++] = *key;
-    laboratory_tell(lab, "the page is on its way, and keys wait for it; ^C gives it up");
+    laboratory_tell(lab, "computing this page; keys are kept until then; ^C cancels");
     return true;
 }
 

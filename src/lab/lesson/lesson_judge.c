@@ -58,7 +58,7 @@ static bool wait_for_run(double share, void *context)
     Laboratory *lab = waiting->lab;
     if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + quiet_seconds)
         return true;
-    return laboratory_work(lab, "looking at your answer: %d %%   ^C gives up", (int)(100 * share));
+    return laboratory_work(lab, "checking your answer: %d %%   ^C cancels", (int)(100 * share));
 }
 
 /* The numbers of a run before it begins, for words behind "was". */
@@ -97,7 +97,7 @@ bool lesson_judge_number(Laboratory *lab, double *right, Status *status)
     RunSummary summary;
     *right = NAN;
     if (!run->known)
-        return status_refuse(status, "this page was given up on its way: turn to another one and back");
+        return status_refuse(status, "computing this page was cancelled: turn to another one and back");
     return lesson_judge_run(lab, &run->entered, &summary, status) &&
            lesson_judge_value(lab, &run->entered, &summary, right, status);
 }

@@ -25,7 +25,7 @@ static bool take_words(Laboratory *lab, const char *text)
 {
     ExerciseMark *mark = lesson_judge_mark(lab);
     if (!text[strspn(text, " ")])
-        return prompt_refuse(lab, "a few words are wanted");
+        return prompt_refuse(lab, "a few words are expected");
     mark->tries++;
     snprintf(mark->value, sizeof mark->value, "%s", text);
     lesson_judge_say(lab, true, "Kept for the teacher.");
@@ -52,7 +52,7 @@ static bool take_number(Laboratory *lab, const char *text)
     double given, right;
     Status status = {STATUS_DONE, ""};
     if (!exercise_read_number(text, &given))
-        return prompt_refuse(lab, "a number is wanted");
+        return prompt_refuse(lab, "a number is expected");
     if (!exercise || exercise->kind != EXERCISE_NUMBER)
         return true; /* another page was turned to meanwhile */
     if (!lesson_judge_number(lab, &right, &status))
@@ -73,7 +73,7 @@ static bool take_number(Laboratory *lab, const char *text)
     return true;
 }
 
-/* Notes the choice that was taken; only the first one counts, for then the right one is told. */
+/* Notes the choice that was taken; only the first one counts, for then the right one is shown. */
 static void lesson_exercise_choose(Laboratory *lab, int choice)
 {
     const LessonPage *page = lesson_entry_page(lab);

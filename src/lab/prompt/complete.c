@@ -338,8 +338,7 @@ void complete_tab(Laboratory *lab)
     lab->prompting.tabbed = 0;
     if (!further) {
         const int shown = completion.skipped + completion.listed;
-        snprintf(prompt->hint, sizeof prompt->hint, "%s",
-                 completion.list[0] ? completion.list : "no name begins with that");
+        snprintf(prompt->hint, sizeof prompt->hint, "%s", completion.list[0] ? completion.list : "no match");
         if (completion.more) {
             const size_t used = strlen(prompt->hint);
             snprintf(prompt->hint + used, sizeof prompt->hint - used, "  (Tab: %d more)",

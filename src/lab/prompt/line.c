@@ -94,7 +94,7 @@ static bool set(Laboratory *lab, const char *words)
     if (*value == '=')
         value += 1 + strspn(value + 1, " ");
     if (length == 0 || length >= sizeof called || !*value)
-        return prompt_refuse(lab, "a key and a value are wanted, as in set initial.mode 5");
+        return prompt_refuse(lab, "a key and a value are expected, as in set initial.mode 5");
     snprintf(called, sizeof called, "%.*s", (int)length, words);
     return settings_resolve_key(laboratory_settings(lab), called, key, &status)
                ? assign(lab, key, value)
@@ -184,7 +184,7 @@ static bool show(Laboratory *lab, const char *words)
     view_names(known, sizeof known);
     if (!sound || !view)
         return prompt_refuse(
-            lab, "a view is wanted (%s), and its variant, as in show probe angle or show 1 2", known);
+            lab, "a view is expected (%s), and its variant, as in show probe angle or show 1 2", known);
     if (view_missing(view, &lab->screen))
         return prompt_refuse(lab, "%s", view_missing(view, &lab->screen));
     if (variant < 1)
@@ -208,7 +208,7 @@ static bool tell(Laboratory *lab, const char *words)
     if (told.text && lab->host.tell)
         lab->host.tell(lab->host.context, told.text);
     else
-        laboratory_tell(lab, "%s", told.text ? told.text : "there is nothing to tell");
+        laboratory_tell(lab, "%s", told.text ? told.text : "nothing to describe");
     words_close(&told);
     return true;
 }
@@ -375,7 +375,7 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *words)
     for (int i = 0; i < n_commands; i++)
         nearest_offer(&near, commands[i].name);
     const char *nearest = near.word;
-    return prompt_refuse(lab, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is wanted",
+    return prompt_refuse(lab, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is expected",
                          word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
 }
 

@@ -166,21 +166,21 @@ static bool remark(Grades *grades, const char *text)
     return true;
 }
 
-/* What is no homework of this lesson, or not all of it. */
+/* Why a session is not homework of this lesson, or not all of it. */
 static const char *why_refused(const SessionFacts *facts, const Lesson *lesson)
 {
     if (strcmp(facts->program, PACKAGE_VERSION) != 0)
         return "foreign: it is of another version of matvib (this is " PACKAGE_VERSION ")";
     if (!*facts->lesson || facts->version == 0)
-        return "foreign: it is not the session of a lesson";
+        return "foreign: not the session of a lesson";
     if (facts->version != lesson->version)
-        return "foreign: it is of another lesson, or of another text of this one";
+        return "foreign: the session of another lesson, or of another version of this one";
     if (!*facts->student)
-        return "foreign: it has no name (matvib lesson NAME --name)";
+        return "foreign: no student name (matvib lesson NAME --name)";
     if (!facts->ended)
-        return "cut: it has no end";
+        return "cut off: the end is missing";
     if (!facts->sound)
-        return "edited: its check is not that of its lines";
+        return "edited: checksum mismatch";
     return NULL;
 }
 
@@ -199,7 +199,7 @@ static bool replay_session(const GradingTask *task, const Session *session, Grad
     if (given_up || in_want)
         return status_fail(status, "%s", in_want ? why.text : "interrupted");
     if (!done)
-        return remark(grades, "it takes too long to be done again");
+        return remark(grades, "it takes too long to replay");
     return true;
 }
 

@@ -28,16 +28,16 @@ enum { GRADING_REMARK_MAX = 256 };
 
 typedef struct Grades {
     char student[STUDENT_MAX];       /* "": not known */
-    char id[STUDENT_MAX];            /* "": not told */
+    char id[STUDENT_MAX];            /* "": not given */
     char remark[GRADING_REMARK_MAX]; /* why there are no marks, or what is to be known of them; "": nothing */
     Grade grades[LESSON_PAGES_MAX];
     int count; /* 0: there are no marks */
 } Grades;
 
-/* What sessions are told apart by: two of the same keys at the same steps are one, no matter whose name they
+/* How sessions are distinguished: two of the same keys at the same steps are one, no matter whose name they
  * have and however fast and on whatever screen they were pressed. */
 typedef struct GradingOrigin {
-    bool known; /* it gets marks, and has keys enough to tell */
+    bool known; /* it gets marks, and has keys enough to judge */
     uint64_t check, keys;
 } GradingOrigin;
 

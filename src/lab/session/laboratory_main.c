@@ -56,7 +56,7 @@ static bool is_unattended(const LaboratoryOptions *options)
 }
 
 /* Finishes the recording that was asked for, and keeps the last session of a terminal; that the latter cannot
- * be kept is no failure. */
+ * be kept is not a failure. */
 static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
 {
     const bool sound = session_finish(recording, status);

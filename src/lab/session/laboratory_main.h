@@ -17,7 +17,7 @@ typedef struct LaboratoryOptions {
     bool is_coarse;           /* the coarse form of what was named */
     const char *lesson;       /* opened at once, or laboratory_all_lessons; NULL: none */
     const char *student;      /* whose homework it is: variants are drawn from the name; NULL: nobody's */
-    const char *student_id;   /* by which a teacher's tables know that student; NULL: not told */
+    const char *student_id;   /* by which a teacher's tables know that student; NULL: not given */
     const int *reached; /* per lesson of the program (LESSONS_MAX), pages turned to so far; NULL: none */
     bool first_start;   /* nothing is known of the user yet: the first lesson is offered */
     bool paused;        /* open paused */

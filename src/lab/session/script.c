@@ -152,7 +152,7 @@ static bool do_mouse(Script *script, const ScriptInstruction *row, char *rest, S
     int x, y;
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
-        return status_refuse(status, "%s: a column and a row are wanted, not: %s", row->name, rest);
+        return status_refuse(status, "%s: a column and a row are expected, not: %s", row->name, rest);
     return press_at(script, click ? "Click" : "Drag", x, y, KEY_SECONDS, status);
 }
 
@@ -173,7 +173,7 @@ static bool do_scene(Script *script, const ScriptInstruction *row, char *rest, S
 {
     (void)row;
     if (!*rest || strlen(rest) >= sizeof script->scene)
-        return status_refuse(status, "scene: a short name is wanted, not: %s", rest);
+        return status_refuse(status, "scene: a short name is expected, not: %s", rest);
     snprintf(script->scene, sizeof script->scene, "%s", rest);
     script->scene_keys = 0;
     return true;

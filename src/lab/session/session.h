@@ -14,8 +14,8 @@
  * wait for it). "stop STEP[/STAGE] SECONDS WIDTHxHEIGHT" says that what the key before it began, and what is
  * not cut into frames (a fit, an export, an answer that is looked at), was given up. "end STEP[/STAGE]
  * SECONDS WIDTHxHEIGHT" says where the session was left, "check HASH" behind it is of all lines before: it
- * tells a file that was changed by mistake, and nothing against somebody who calculates it again - what such
- * a session does is judged by doing it again. */
+ * detects a file that was changed by mistake, and nothing against somebody who calculates it again - what
+ * such a session does is judged by doing it again. */
 #ifndef LAB_SESSION_SESSION_H
 #define LAB_SESSION_SESSION_H
 

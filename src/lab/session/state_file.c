@@ -52,7 +52,7 @@ void state_file_put(Asker asker, const char *name, const char *word)
     free(path);
 }
 
-/* Reads and writes how far one has come; lines that are no page of a lesson are skipped. */
+/* Reads and writes how far one has come; lines that do not name a page of a lesson are skipped. */
 
 static const char *const progress_file = "lessons";
 

@@ -14,7 +14,7 @@ char *state_file(const char *name);
 const char *state_file_word(const char *name, const char *const words[]);
 void state_file_put(Asker, const char *name, const char *word);
 
-extern const char state_file_sheet[]; /* the sheet that is wanted: one of parameter_sheet_words */
+extern const char state_file_sheet[]; /* the chosen sheet: one of parameter_sheet_words */
 
 /* How far one has come in each lesson, kept between two visits: a file with one line a lesson, NAME PAGE. */
 

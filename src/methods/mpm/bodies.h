@@ -52,7 +52,7 @@ typedef struct BodiesDef {
     double courant;    /* dt = courant dx/c, c = sqrt(D_11/rho) */
     int mistake,
         mistake_beside;    /* of a code that is wrong in one place, or in two: bodies_mistake_words; 0 */
-    bool conceals_mistake; /* its stages do not tell it */
+    bool conceals_mistake; /* its stages do not show it */
     int threads;
     Cancel cancel; /* asked while the bodies are being built */
 } BodiesDef;

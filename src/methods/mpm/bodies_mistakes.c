@@ -73,7 +73,7 @@ bool bodies_mistake_check(const BodiesDef *def, Status *status)
     const int made[2] = {def->mistake, def->mistake_beside};
     if (made[1] != 0 &&
         (made[0] == made[1] || (made[0] <= BODIES_NO_ROTATION && made[1] <= BODIES_NO_ROTATION)))
-        return status_refuse(status, "mpm.body_mistake: these two are no two mistakes");
+        return status_refuse(status, "mpm.body_mistake: these two cannot be combined");
     for (int k = 0; k < 2; k++) {
         if (made[k] < 0 || made[k] >= BODIES_MISTAKES)
             return status_refuse(status, "mpm.body_mistake: %d is not a choice (0 to %d)", made[k],

@@ -226,7 +226,7 @@ void bodies_set_series(Mpm *mpm)
     for (int body = 0; body < n; body++)
         for (int k = 0; k < BODY_COLUMNS; k++)
             add_column(mpm, body, k);
-    /* of bodies in one field nothing tells which of them pushes */
+    /* of bodies in one field nothing shows which of them acts */
     for (int body = 0; body < n && (n == 1 || mpm->bodies->n_fields > 1); body++)
         add_column(mpm, body, BODY_TOUCHING);
     sim->series = sim->series_asked = mpm->series;

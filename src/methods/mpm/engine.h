@@ -84,8 +84,8 @@ typedef struct MpmExchange {
     char field[20], symbol[12], factors[24], note[88];
 } MpmExchange;
 
-/* The part of the state that is no array. Live parameters belong to it, so that a restored snapshot goes on
- * with the parameters of its own time. */
+/* The part of the state that is not an array. Live parameters belong to it, so that a restored snapshot goes
+ * on with the parameters of its own time. */
 typedef struct MpmHead {
     MpmAlgorithm algorithm;
     MpmTransfer transfer;

@@ -175,7 +175,7 @@ bool bar_mistake_check(const BarDef *def, bool in_plane, Status *status)
 {
     BarMistake both;
     if (def->mistake_beside != 0 && !bar_mistakes_join(def->mistake, def->mistake_beside, &both))
-        return status_refuse(status, "mpm.mistake: these two are no two mistakes");
+        return status_refuse(status, "mpm.mistake: these two cannot be combined");
     if (def->mistake == 0)
         return true;
     const BarMistake *row = def->mistake_beside != 0 ? &both : mistake_of(def->mistake);

@@ -91,7 +91,7 @@ static inline bool mpm_can_keep(const Mpm *mpm)
     return mpm->dim == 1 || (!mpm->bodies && mpm->plane.mistake != 0);
 }
 
-/* Whether these are what mistakes are defined for; else the status names the key. A beam's are told as a
+/* Whether these are what mistakes are defined for; else the status names the key. A beam's are reported as a
  * bar's.
  */
 bool bar_mistake_check(const BarDef *, bool in_plane, Status *);

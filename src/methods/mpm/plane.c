@@ -9,7 +9,7 @@ Particles at t = 0. The deflection is w(x), the beam's sections stay plane and s
  *                  r = (sinh z - sin z)/(cosh z + cos z), 1 + cosh z cos z = 0
  *     particles    x = X - Y w'(X),  y = Y + w(X)
  *
- * A method that carries stress from step to step has to be told the stress of that shape:
+ * A method that carries stress from step to step has to be given the stress of that shape:
  *
  *     beam         exx = -Y w''(X), nothing else
  *     grid         B u of the nodal displacements u = (-y w', w), as the first step would strain it

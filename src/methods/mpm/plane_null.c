@@ -9,8 +9,8 @@
  * lost to lumping.
  *
  * M_C is a band when nodes are numbered by columns; M_C = U' D U row by row, and p' M_C^-1 p = sum of z^2/d
- * with U' z = p. A node that its particles cannot tell from the others, whose pivot is nothing but rounding,
- * leaves the sum. Source: G. H. Golub, C. F. Van Loan, Matrix Computations (2013), section 4.3.
+ * with U' z = p. A node that its particles cannot distinguish from the others, whose pivot is nothing but
+ * rounding, leaves the sum. Source: G. H. Golub, C. F. Van Loan, Matrix Computations (2013), section 4.3.
  *
  * A column of nodes can go once all particles that touch it are there: so there are never more columns of the
  * matrix at hand than a particle touches, and they stay in the cache. */

@@ -17,7 +17,7 @@ enum {
     JOINED = 100,     /* columns from which on lines of words are long enough for two */
     LARGER = 1,       /* rows that a plot has more than it must where there are words to spare */
     APART = 40,       /* columns from which on a curve can have its letter more than once */
-    DRAWING = 12,     /* rows that a drawing keeps before words below it are told */
+    DRAWING = 12,     /* rows that a drawing keeps before words below it are written */
     LEGEND = 12       /* rows from which on all its curves are named */
 };
 
@@ -314,7 +314,7 @@ const PictureMark *cells_target(const Picture *picture, Rect rect, int x, int y)
 
 /* --- the whole ------------------------------------------------------------------------------------- */
 
-/* Names of bands, each in a row of its own, where colours alone would tell them apart. */
+/* Names of bands, each in a row of its own, where colours alone would distinguish them. */
 static void draw_labels(const Picture *picture, Area inner)
 {
     const Axis *y = &picture->plot.y;

@@ -14,7 +14,7 @@ void cells_open(Picture *, int columns, int rows, Glyphs);
 /* Finds the ticks for so many rows. */
 void cells_fit(Picture *, int rows);
 
-/* `colours`: that the screen has; with any they tell bands apart. */
+/* `colours`: that the screen has; with any they distinguish bands. */
 void cells_draw(Picture *, Area, Style heading, int colours);
 
 /* The mark nearest to a cell of the drawing in `rect` that the mouse can choose; NULL: none. */
@@ -53,7 +53,7 @@ void cells_map_body(const Picture *, Area, int colours); /* without words around
 /* One that is drawn with its dimensions: places in whole columns, and rows above 0. */
 void cells_drawing(const Picture *, Area, Style heading);
 
-/* In cells a factor is told by a letter: the sign for it is wide in some fonts. `out` has room for the text.
+/* In cells a factor is given by a letter: the sign for it is wide in some fonts. `out` has room for the text.
  */
 void cells_plain_factors(const char *text, char *out);
 

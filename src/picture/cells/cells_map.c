@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A body in cells. Each of its pieces covers its place on the lattice, a pixel shows the mean of what covers
- * it. Two colours are in a cell, one above the other; where colours are few the ramp is told by ink:
+ * it. Two colours are in a cell, one above the other; where colours are few the ramp is drawn by ink:
  * braille dots, shades or letters. Over it each cell gathers the dots of the lines that cross it, or the
  * letter that stands for their direction; signs and words come last. */
 #include "picture/cells/cells.h"
@@ -59,7 +59,7 @@ static void place(const Sheet *sheet, double x, double y, double *column, double
     cells_place(sheet->map, sheet->area.rect, x, y, column, row);
 }
 
-/* Values are told by colours alone. */
+/* Values are shown by colours alone. */
 static bool is_coloured(Area area, int colours)
 {
     return colours >= 256 && area.glyphs != GLYPHS_ASCII;
@@ -184,7 +184,7 @@ static void fill_holes(const Sheet *sheet, int columns, int rows)
 }
 
 /* Braille: each of the eight dots is set where the value is above the dot's own threshold, so that more ink
- * is more; every other body has fewer dots where no colour tells it. What covers a part of a cell still has a
+ * is more; every other body has fewer dots where no colour shows it. What covers a part of a cell still has a
  * dot. */
 static uint32_t dots_of(const Sheet *sheet, int x, int y)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The heat map of a body, and the bar that tells its colours. */
+/* The heat map of a body, and the bar that explains its colours. */
 #include "picture/paper/paper.h"
 
 #include "base/math/functions.h"
@@ -87,7 +87,7 @@ void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
         for (size_t k = 0; k < count; k++) {
             const double x = place->x0 + map->x[k] * place->scale_x,
                          y = place->y0 + map->y[k] * place->scale_y;
-            const int level = level_in(map, map->value[k]); /* bonds that are gone tell of damage */
+            const int level = level_in(map, map->value[k]); /* bonds that are gone are damage */
             if (level >= 0 && x > place->seen.x - radius && x < place->seen.x + place->seen.width + radius &&
                 y > place->seen.y - radius && y < place->seen.y + place->seen.height + radius)
                 paper->kind->disc(paper, x, y, radius, colour_of(map, level),
@@ -155,7 +155,7 @@ double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
     const Type words = {.size = SIZE_WORDS}, numbers = {.size = SIZE_TICKS, .align = ALIGN_CENTRE};
     Axis axis = axis_with_ticks(axis_make(map->low, map->high), 7);
     char name[PICTURE_TEXT_MAX + 2 * TICK_TEXT_MAX], text[TICK_TEXT_MAX];
-    /* "strain energy density ×10³ J/m³": what the colours tell, and in what. */
+    /* "strain energy density ×10³ J/m³": what the colours show, and in which unit. */
     const size_t size = sizeof name;
     const char *unit = picture->map->unit;
     char scale[TICK_TEXT_MAX];

@@ -176,7 +176,7 @@ double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
     double x = 0, y = 0;
     for (int i = 0; i < picture->n_keys; i++) {
         const PictureKey *key = &picture->keys[i];
-        /* Of a body the lines that are there: earlier runs, and what is not told by its colours alone. */
+        /* Of a body the lines that are there: earlier runs, and what its colours alone do not show. */
         bool found = !picture->map || picture_run_of(key);
         for (int j = 0; j < picture->plot.n_strokes && !found; j++) {
             const Stroke *stroke = &picture->plot.strokes[j];
@@ -185,7 +185,7 @@ double draw_legend_rows(Paper *paper, const Picture *picture, Box box)
         if (!found)
             continue;
         char name[PICTURE_TEXT_MAX + 4];
-        /* Of an earlier run it is told what it was, "a: cell size 1", not what came after: "1 -> 0.5". */
+        /* An earlier run is named by what it was, "a: cell size 1", not what came after: "1 -> 0.5". */
         const char run = picture_run_of(key);
         size_t used = run ? (size_t)sprintf(name, "%c: ", run) : 0;
         for (const char *from = key->name; *from;) {

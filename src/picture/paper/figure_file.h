@@ -3,8 +3,8 @@
  * fonts on one page with title, axes, legend and the parameters of the run, as SVG, PDF or PNG;
  * or, of curves, written as the source of a picture of pgfplots (LaTeX) or of gnuplot.
  *
- * Colours are told apart by all kinds of colour vision, and lines by their dashes, so that a copy in black
- * and white says the same. The same figure gives the same bytes. */
+ * Colours are distinguishable in all kinds of colour vision, and lines by their dashes, so that a copy in
+ * black and white says the same. The same figure gives the same bytes. */
 #ifndef PICTURE_PAPER_FIGURE_FILE_H
 #define PICTURE_PAPER_FIGURE_FILE_H
 
@@ -21,7 +21,7 @@ typedef struct FigurePanel {
 
 typedef struct Figure {
     char title[256];
-    char parameters[FIGURE_TEXT_MAX]; /* phrases parted by two spaces */
+    char parameters[FIGURE_TEXT_MAX]; /* phrases separated by two spaces */
     double width, height;             /* mm; height 0: as much as it takes */
     bool bare;                        /* curves and axes alone, from edge to edge */
     FigurePanel *panels[FIGURE_PANELS_MAX];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The colours of a figure: told apart by all kinds of colour vision. */
+/* The colours of a figure: distinguishable in all kinds of colour vision. */
 #include "picture/paper/paper.h"
 
 #include "base/assertion.h"

@@ -123,7 +123,7 @@ double draw_heat_bar(Paper *, const Picture *, Box);
  * only measured. */
 double draw_legend_rows(Paper *, const Picture *, Box);
 
-/* Phrases that are parted by two spaces, wrapped, from the top of the box on; returns their height. Paper
+/* Phrases that are separated by two spaces, wrapped, from the top of the box on; returns their height. Paper
  * NULL: likewise. */
 double draw_phrases(Paper *, const char *text, Box, const Type *);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The screen in plain words. What panes draw as words (a stage, a lesson, a table) is told as it is drawn,
- * without frames; what views draw as curves or colours is told in sentences, made from what they plot. */
+/* The screen in plain words. What panes draw as words (a stage, a lesson, a table) is written as it is drawn,
+ * without frames; what views draw as curves or colours is described in sentences, made from what they plot.
+ */
 #ifndef PICTURE_WORDS_TELL_H
 #define PICTURE_WORDS_TELL_H
 
@@ -28,7 +29,7 @@ void words_canvas(Words *, const Canvas *, bool numbered);
 
 /* --- the screen ----------------------------------------------------------------------------------- */
 
-/* The parts of the screen, in the order in which they are told. */
+/* The parts of the screen, in the order in which they are described. */
 typedef enum TellPart {
     TELL_ABOUT, /* what the scenario asks, and what about */
     TELL_LESSON,
@@ -42,7 +43,7 @@ typedef enum TellPart {
     TELL_UPPER,
     TELL_LOWER,
     TELL_INSPECTOR,
-    TELL_PARTS, /* so far what is told by itself when it has changed; the others are asked for */
+    TELL_PARTS, /* so far what is described by itself when it has changed; the others are asked for */
     TELL_PARAMETERS = TELL_PARTS,
     TELL_WHY, /* what the scenario says of itself, and of what the error of a mode is made */
     TELL_HELP,

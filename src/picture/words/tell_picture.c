@@ -21,7 +21,7 @@ enum { DIGITS = 4, LIST_DIGITS = 5, TERM_COLUMNS = 11, NAME_MAX = 96 };
 typedef struct Measure {
     char name[PICTURE_TEXT_MAX], unit[24];
     double scale;   /* values are divided by it */
-    double nothing; /* what is less is no more than rounding */
+    double nothing; /* anything smaller is round-off */
 } Measure;
 
 static Measure measure_of(const Axis *axis, const char *name)
@@ -263,7 +263,8 @@ static void say_path(Words *words, const char *name, const Curve *curve, const M
               number(x, high[0], texts[5]), number(y, low[1], texts[6]), number(y, high[1], texts[7]));
 }
 
-/* The same thing drawn twice, as a line and as dots, is told once; two cracks that grow alike are two. */
+/* The same thing drawn twice, as a line and as dots, is described once; two cracks that grow alike are two.
+ */
 static bool is_told(const Picture *picture, int index)
 {
     const Plot *plot = &picture->plot;

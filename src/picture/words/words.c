@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The buffer of what is told (tell.h). */
+/* The buffer of the description (tell.h). */
 #include "picture/words/tell.h"
 
 #include <ctype.h>
@@ -14,7 +14,7 @@ void words_close(Words *words)
     *words = (Words){.text = NULL};
 }
 
-/* A line whole or not at all: who reads what was told counts on the end of its last line. */
+/* A line whole or not at all: who reads the description counts on the end of its last line. */
 static void put_line(Words *words, const char *head, size_t head_bytes, const char *bytes, size_t count)
 {
     const size_t more = head_bytes + count + 1;

@@ -134,7 +134,8 @@ bool settings_row_key_set(Settings *, const char *key, const char *text, Status 
 /* Whether a key is of a section of rows that these settings have. */
 bool settings_row_is_key(const Settings *, const char *key);
 
-/* What the key of one value of a row is about, whether or not there is such a row; NULL: it is no such key.
+/* What the key of one value of a row is about, whether or not there is such a row; NULL: it is not such a
+ * key.
  */
 const RowColumn *row_key_column(const char *key);
 

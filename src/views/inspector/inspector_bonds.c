@@ -37,7 +37,7 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
                  "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
 }
 
-/* Who is at the other end: beyond a fixed end a mirror image. The longest bonds are told as one first. */
+/* Who is at the other end: beyond a fixed end a mirror image. The longest bonds are summed up first. */
 static void describe_row(const Link *link, size_t node, double spacing, struct TableRow *row)
 {
     const long place = (long)node + lround(link->apart[0] / spacing);

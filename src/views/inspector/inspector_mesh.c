@@ -316,7 +316,7 @@ const Inspector inspector_mesh = {.needs = HAS_MESH, .describe = describe, .move
 
 /* A node's row of the mass matrix, where masses are not lumped: what it shares with the nodes beside it. */
 
-/* M is symmetric: M(i, i - d) is told with node i - d. False: there is no such matrix, or not yet. */
+/* M is symmetric: M(i, i - d) is given with node i - d. False: there is no such matrix, or not yet. */
 bool inspector_mass_row(const Simulation *sim, int set, size_t node, MassRow *row)
 {
     static const char *const names[MASSES_BESIDE_MAX + 1] = {"mass_0", "mass_1", "mass_2", "mass_3"};

@@ -85,8 +85,8 @@ MapVariant map_variant(const Simulation *, int number);
 bool map_colour(Map *, MapVariant);
 const char *map_meaning(const Map *); /* what the colours stand for, in words */
 
-/* Lattice and where its nodes are drawn in a picture that is open. False: this is no beam, there is no room
- * for it, or no memory. map_close() in any case. */
+/* Lattice and where its nodes are drawn in a picture that is open. False: this is not a beam, there is no
+ * room for it, or no memory. map_close() in any case. */
 bool map_open(Map *, const Screen *, Picture *);
 void map_close(Map *);
 

@@ -54,7 +54,7 @@ static double row_of(const Drawing *drawing, double share) /* of the height */
 static void trace(const Drawing *drawing, StrokeKind kind, Style style, int count, const double (*places)[2])
 {
     Plot *plot = &drawing->picture->plot;
-    /* a band is no darker than the body's outline */
+    /* a band is at most as dark as the body's outline */
     plot_begin(plot, kind, (Pen){LINE_SOLID, '|', style, RANK_EXACT, kind == STROKE_BAND ? 2 : 0});
     for (int i = 0; i < count; i++)
         plot_point(plot, places[i][0], places[i][1]);

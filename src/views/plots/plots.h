@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What plots of runs share: which runs they show and how these are told apart, curves over time, and a
+/* What plots of runs share: which runs they show and how these are distinguished, curves over time, and a
  * foreign series beside them. */
 #ifndef VIEWS_PLOTS_PLOTS_H
 #define VIEWS_PLOTS_PLOTS_H
@@ -61,8 +61,8 @@ void runs_add_ghosts(Picture *, const ShownRun *, int n_runs, const char *column
 /* The run's letter at the end of its curve over time. */
 void runs_letter_over_time(Picture *, const ShownRun *, int column);
 
-/* A letter at the end of the column's curve of every run that has one: a ghost is told by more than its faint
- * colour. */
+/* A letter at the end of the column's curve of every run that has one: a ghost is recognised by more than its
+ * faint colour. */
 void runs_add_letters(Picture *, const ShownRun *, int n_runs, const char *column);
 
 /* "a: cell size 1  b: USL": what the ghosts' letters stand for, for pictures whose legend has no room for it.
@@ -118,7 +118,7 @@ bool time_plot_shows(const Screen *, const Column *);
 
 /* --- a foreign series ----------------------------------------------------------------------------- */
 
-/* Widens a range, or tells the largest magnitude (0: there is none), so that the axis of y holds it. */
+/* Widens a range, or gives the largest magnitude (0: there is none), so that the axis of y holds it. */
 void overlay_widen(const Screen *, const char *curve, bool along, double *least, double *most);
 double overlay_reach(const Screen *, const char *curve, bool along);
 

@@ -11,7 +11,7 @@
 
 #define BEFORE_NOTCH 5.0 /* horizons; the crack is looked for from here */
 
-/* NULL: the simulation is no beam with a notch. */
+/* NULL: the simulation is not a beam with a notch. */
 static const Beam *notched(const Simulation *sim)
 {
     const Beam *beam = sim->method->links == beam_links ? (const Beam *)sim : NULL;

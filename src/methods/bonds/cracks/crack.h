@@ -34,7 +34,7 @@ typedef struct Crack {
     double beam_height; /* m */
 } Crack;
 
-/* False: the simulation is no beam with a notch. */
+/* False: the simulation is not a beam with a notch. */
 bool crack_measure(const Simulation *beam, Crack *crack);
 
 /* The angle (degrees) between the notch and the straight line through the path (least squares of x over y)

@@ -2,10 +2,10 @@
 /* Where the energy of broken bonds went: the price of the crack itself and what was broken besides.
  *
  * A crack of area A should cost G0 A, with G0 = 9 E delta s0^2/(4 pi) of paper P: the work, up to s0, of all
- * bonds that an unbounded plane cuts. On the lattice it costs more, for three reasons that can be told apart:
- * the lattice sum is not the integral; bonds break beside the path without crossing it; others break far from
- * it, under the load. What is dissipated (bonds_break.c) is shared out by the energies of whole bonds at s0,
- * of which it is the sum to some .2 %. SI units; energies are those of the beam, J. */
+ * bonds that an unbounded plane cuts. On the lattice it costs more, for three reasons that can be
+ * distinguished: the lattice sum is not the integral; bonds break beside the path without crossing it; others
+ * break far from it, under the load. What is dissipated (bonds_break.c) is shared out by the energies of
+ * whole bonds at s0, of which it is the sum to some .2 %. SI units; energies are those of the beam, J. */
 #ifndef METHODS_BONDS_CRACKS_CRACK_COST_H
 #define METHODS_BONDS_CRACKS_CRACK_COST_H
 

@@ -117,7 +117,7 @@ static double weaken(Growth *growth, size_t node, double weight)
 }
 
 /* Each bond that broke up to the state's step, and the weights of the nodes at its ends; the cuts' bonds
- * count in the damage from the start, and what they alone have damaged so much is no crack. */
+ * count in the damage from the start, and damage by them alone is not a crack. */
 static bool gather(Growth *growth)
 {
     const Beam *beam = growth->beam;

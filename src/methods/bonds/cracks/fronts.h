@@ -75,7 +75,7 @@ typedef struct CrackFronts {
     size_t n_samples;
     double every;   /* s between two samples, the first at t = 0 */
     size_t window;  /* samples over which a speed is taken */
-    double jump;    /* m; more than this from one sample to the next is no growth */
+    double jump;    /* m; more than this from one sample to the next is not growth */
     double length;  /* of all paths, m */
     double surface; /* broken bonds over the bonds that the cuts took for each metre of theirs, m */
 
@@ -85,7 +85,7 @@ typedef struct CrackFronts {
 } CrackFronts;
 
 /* Worked out again unless the state is the one that it was worked out for; begin with {0}, and free it.
- * False: the simulation is no plate, no end of a cut lies in it, or memory is short; then there are no
+ * False: the simulation is not a plate, no end of a cut lies in it, or memory is short; then there are no
  * fronts. */
 bool crack_fronts_update(CrackFronts *, const Simulation *);
 void crack_fronts_free(CrackFronts *);

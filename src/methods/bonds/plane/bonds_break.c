@@ -121,7 +121,7 @@ void beam_report(Beam *beam, EventKind kind, long step, const char *text)
         sim->events[before].step = step;
 }
 
-/* What paper P tells of its crack: when it began (first and twentieth bond with the middle within two
+/* What paper P says of its crack: when it began (first and twentieth bond with the middle within two
  * horizons of the notch's end), and when it came to the load: within half a horizon of the protected zone,
  * which bonds cannot pass. */
 static void report_crack(Beam *beam, long step)

@@ -64,7 +64,7 @@ static bool check_speeds(const PlateRegion *regions, int count, const char *sect
     return true;
 }
 
-/* A velocity that two supports give to the same nodes; two that hold them are no trouble. */
+/* A velocity that two supports give to the same nodes; two that hold them do not conflict. */
 static bool disagree(bool a_gives, double a, bool b_gives, double b)
 {
     return a_gives && b_gives && (a != 0 || b != 0);

@@ -266,7 +266,7 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
     beam->kernels = bond_kernels(options && options->force_level ? options->level : bonds_cpu_best());
     if (!beam->kernels || !build(beam, options, status)) {
         if (!beam->kernels)
-            status_fail(status, "this machine has no %s", bonds_cpu_name(options->level));
+            status_fail(status, "this machine does not have %s", bonds_cpu_name(options->level));
         destroy(&beam->sim);
         return NULL;
     }

@@ -112,7 +112,7 @@ bool bonds_check_mistake(const BeamDef *def, Status *status)
 {
     BondsMistake both;
     if (def->mistake_beside != 0 && !bonds_mistakes_join(def->mistake, def->mistake_beside, &both))
-        return status_refuse(status, "pd.mistake: these two are no two mistakes");
+        return status_refuse(status, "pd.mistake: these two cannot be combined");
     if (def->mistake == 0)
         return true;
     const BondsMistake *row = bonds_mistake_of(def->mistake, def->mistake_beside, &both);

@@ -97,8 +97,8 @@ BondsPull bonds_pull(const Beam *, BondPlace);
  * lets it pull. */
 BondNow bonds_seen_from(const Beam *, BondPlace, size_t index);
 
-/* Adds to fx[q], fy[q] what the bonds of row j give (beam_bonds_of_row()), and tells their energy, J. Nothing
- * breaks; what is not a number is logged as unstable. */
+/* Adds to fx[q], fy[q] what the bonds of row j give (beam_bonds_of_row()), and returns their energy, J.
+ * Nothing breaks; what is not a number is logged as unstable. */
 void bonds_forces_of_row(Beam *, int j, double *const *fx, double *const *fy, BondLog *, double *energy);
 
 #endif

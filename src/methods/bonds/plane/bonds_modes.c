@@ -155,7 +155,7 @@ static void hold(const Model *model, bool *held)
 }
 
 /* T = 2 pi/sqrt(lambda/rho), and the sag of a probe (NULL: not wanted). They stay NAN where nothing holds the
- * body, where two lowest periods are too close to be told apart, or where the band would take more than
+ * body, where two lowest periods are too close to be distinguished, or where the band would take more than
  * BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or interrupted. */
 static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Status *status)
 {

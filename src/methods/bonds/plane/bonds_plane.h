@@ -158,7 +158,7 @@ enum { BEAM_REST_EVERY = 16 };
 
 /* How the rows hold each other where all columns move alike across the beam, whole bonds and small motion:
  * the force density on row j is minus the sum of matrix[j ny + k] times the displacement of row k, N/m^4. The
- * caller has ny x ny numbers. False: the simulation is no beam. */
+ * caller has ny x ny numbers. False: the simulation is not a beam. */
 bool beam_row_stiffness(const Simulation *beam, double *matrix);
 
 /* The lowest vibration of this very lattice, with its supports and its surface correction: the predicted
@@ -174,7 +174,7 @@ enum { BEAM_MODES_NUMBERS_MAX = 1 << 25 };
  * `height` (NULL: not wanted): the distance of the supports and the height as the nodes lie, m. It takes n
  * B^2 products, n twice the number of nodes and B twice the nodes of a column times the reach: a tenth of a
  * second at 400 x 20 nodes, seconds at 800 x 40. BeamDef.cancel is asked on the way. False: the status says
- * why (a definition that is no beam, no memory, given up). */
+ * why (a definition that is not a beam, no memory, given up). */
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
                            Status *status);
 

@@ -37,8 +37,8 @@ static bool is_cut(const Beam *beam, BondPlace bond)
 }
 
 /* Every bond of the lattice gets its coefficient c G w V (eq. 8), N/m^3 per unit stretch, a cut one 0 and its
- * bit: the notch's bonds are broken from the start, and told apart from those that break in the run. False:
- * interrupted. */
+ * bit: the notch's bonds are broken from the start, and distinguished from those that break in the run.
+ * False: interrupted. */
 bool beam_set_bonds(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;

@@ -106,7 +106,7 @@ static bool is_allowed(const Beam *beam, const LiveParameter *live, double value
                                beam->def.problem == BEAM_NOTCHED);
 }
 
-/* Of those that are no matter of the start or of a factor. */
+/* Of those that affect neither the start nor a factor. */
 static bool change_mistake(Beam *beam, double value, Status *status)
 {
     BeamDef def = beam->def;

@@ -4,7 +4,7 @@
  *     family, w        as lattice/volume.h has them
  *     micromodulus     c = 6 E/(pi delta^3 (1 - nu)), nu = 1/3                                 (4)
  *                      or conical, c_1 (1 - |xi|/delta) with c_1 = 4 c; then nodes from the
- *                      distance delta on are no family, for nothing binds them
+ *                      distance delta on are not a family, for no bond joins them
  *
  * The correction G of eq. 8, of a bond in direction n between i and j, is one of
  *

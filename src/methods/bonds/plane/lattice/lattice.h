@@ -7,7 +7,8 @@
  * end that comes first: by its owner (i, j) and an offset (p, q) with q > 0, or q = 0 and p > 0. A row of
  * owners is cut into tiles; the bonds of a tile have a place (slot) each, direction by direction and in a
  * direction column by column, so that a bond needs no index and the whole row is read from front to back.
- * Slots whose other end is no node stay empty. Source: paper P, eqs. 4 and 8, and the text between them. */
+ * Slots whose other end is not a node stay empty. Source: paper P, eqs. 4 and 8, and the text between them.
+ */
 #ifndef METHODS_BONDS_PLANE_LATTICE_LATTICE_H
 #define METHODS_BONDS_PLANE_LATTICE_LATTICE_H
 
