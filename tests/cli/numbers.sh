@@ -370,7 +370,7 @@ run mode5 --set mpm.mass_blend=0.05 --end 13.1
 claim $lesson/cure.lesson "smallest stable blend, 0.05: +" 1.4 " %" frequency_error
 run mode5 --set mpm.transfer=fmpm --set mpm.fmpm_order=4
 claim $lesson/filters.lesson "frequency of the mode is " 1.7 " % too high" predicted_error
-claim $lesson/cure.lesson "The frequency is " 1.7 " % too high. The lag has two parts" predicted_error
+claim $lesson/cure.lesson "ω is " 1.7 " % too high. The lag has two parts" predicted_error
 claim $lesson/filters.lesson "" 99.87 " % of the energy stay in one period" kept
 run mode5 --set mpm.transfer=fmpm
 claim $lesson/filters.lesson "one period keeps " 68 " % of the energy" kept
