@@ -15,6 +15,7 @@ typedef struct Scribe {
     int end;     /* of what is written: the row after it, without a gap */
     int gap;     /* rows between paragraphs */
     bool about;  /* of the list: each lesson has its sentence below it, not the chosen one alone */
+    bool tall;   /* of the list: there is room for the objective of the chosen lesson */
     int *titles; /* of the list, LESSONS_MAX: the row of each lesson; NULL: nobody asks */
 } Scribe;
 
@@ -73,13 +74,15 @@ static void write_list(Scribe *pen, const Screen *screen)
             area_blank(pen->area, 1, width - 1, pen->y, style);
         if (screen->lesson->reached[i] > 0)
             snprintf(pages, sizeof pages, "%d/%d", screen->lesson->reached[i], lesson->n_pages);
+        else if (chosen && lesson->minutes)
+            snprintf(pages, sizeof pages, "%.8s min", lesson->minutes);
         area_print(pen->area, 1, pen->y, chosen ? style : STYLE_KEY, "%2d", i + 1);
         const int most = width - 5 - (*pages ? 1 + glyphs_columns(pages) : 0);
         area_text(area_part(pen->area, 4, pen->y, most, 1), 0, 0, lesson->title, style);
         area_text_right(pen->area, width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
         if (lesson->about && (chosen || pen->about))
             write_indented(pen, lesson->about);
-        if (chosen)
+        if (chosen && pen->tall)
             write_objective(pen, lesson);
         pen->end = pen->y;
     }
@@ -189,8 +192,8 @@ void pane_lesson_footer(const Screen *screen, char *out, size_t size)
         snprintf(out, size, "%sEnter goes on   b back", until->kind != UNTIL_NOTHING ? "done   " : "");
 }
 
-/* Heading and footer. */
-enum { MARGIN_ROWS = 2 };
+/* Heading and footer; and from how many rows on the list has the objective of the chosen lesson. */
+enum { MARGIN_ROWS = 2, TALL_ROWS = 30 };
 
 static int lines_of(const Screen *screen, Area area, int gap)
 {
@@ -206,7 +209,10 @@ static bool list_lines(const Screen *screen, Area area, int titles[LESSONS_MAX +
     const int count = screen_lesson_count(), rows = area.rect.height - MARGIN_ROWS;
     bool about = true;
     for (int turn = 0; turn < 2; turn++, about = false) {
-        Scribe pen = {.area = area_part(area, 0, 0, area.rect.width, 0), .about = about, .titles = titles};
+        Scribe pen = {.area = area_part(area, 0, 0, area.rect.width, 0),
+                      .about = about,
+                      .tall = area.rect.height >= TALL_ROWS,
+                      .titles = titles};
         write_list(&pen, screen);
         titles[count] = pen.end;
         if (pen.end <= rows)
@@ -258,6 +264,7 @@ void pane_lesson(const Screen *screen, Area area)
     }
     Scribe pen = {.area = area_part(area, 0, 1, area.rect.width, rows),
                   .y = -above,
+                  .tall = area.rect.height >= TALL_ROWS,
                   .gap = lines_of(screen, area, 1) <= rows};
     pen.about = !screen->lesson->lesson && list_lines(screen, area, titles);
     write_all(&pen, screen);

@@ -306,10 +306,10 @@ expect "an empty column" 1 mode5 empty.csv
 result "agrees with nothing" says out '^(its column v_cm is empty)$'
 head -n 2 right.csv >row.csv
 expect "the start alone" 1 mode5 row.csv
-result "tells nothing" sh -c 'grep -q "^(it has t = 0 alone, which the scenario gives)$" out && grep -q "^This file tells nothing" out'
+result "tells nothing" sh -c 'grep -q "^(it has t = 0 alone, which the scenario gives)$" out && grep -q "^This file shows nothing" out'
 awk 'NR == 1 || NR == 30' right.csv >row.csv
 expect "one row" 0 mode5 row.csv
-result "is little" says out '^One row is little'
+result "is little" says out '^One row is not enough'
 awk -F, 'NR == 1 || NR % 3 == 0' right.csv >gaps.csv
 awk 'NR == 1; NR > 1 { line[NR] = $0 } END { for (i = NR; i > 1; i--) print line[i] }' gaps.csv >back.csv
 expect "rows out of order, some missing" 0 mode5 back.csv

@@ -888,8 +888,10 @@ START_TEST(the_list_has_groups_and_says_how_many_more)
     press(bench, "T");
     ck_assert(shows(bench, " Bar "));
     ck_assert(shows(bench, "What a time step does:"));
+    ck_assert(shows(bench, "15 min"));
     ck_assert(!shows(bench, "Two discs meet, and no"));
     press(bench, "Down");
+    ck_assert(shows(bench, "10 min"));
     ck_assert(shows(bench, "Two discs meet, and no"));
     ck_assert(!shows(bench, "What a time step does:"));
     /* what is below and what is seen are all */
