@@ -342,7 +342,7 @@ START_TEST(bad_words_are_refused)
     Status status;
     ck_assert_int_eq(verify_words("M-fig5", &text, &status), 2);
     ck_assert_str_eq(status.text,
-                     "verify: unknown name \"M-fig5\" (the nearest is M-fig2; --list tells all)");
+                     "verify: unknown name \"M-fig5\" (the nearest is M-fig2; --list shows all)");
     ck_assert_str_eq(text, "");
     free(text);
     ck_assert_int_eq(verify_words("M-fig3 --ful", &text, &status), 2);
