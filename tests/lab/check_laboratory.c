@@ -377,7 +377,7 @@ START_TEST(a_beam_that_is_built_can_be_given_up)
     ck_assert_msg(strstr(bench->lab.screen.prompt->problem, "cancelled") != NULL, "%s",
                   bench->lab.screen.prompt->problem);
     ck_assert_msg(strncmp(bench->progress, "building the run: ", 18) == 0 &&
-                      strstr(bench->progress, "Esc gives up") != NULL,
+                      strstr(bench->progress, "Esc cancels") != NULL,
                   "%s", bench->progress);
     ck_assert_ptr_eq(experiment_simulation(bench->lab.screen.experiment), before);
     ck_assert_int_eq(step_of(bench), 20);

@@ -429,7 +429,7 @@ static void check_page(Talk *talk, const char *lesson, const char *said)
     snprintf(choice, sizeof choice, "\n  %d ", n_choices);
     snprintf(told, sizeof told, " 1 Stage %d of ", stage);
     ck_assert_msg(lines_of(said) <= PAGE_LINES, "%s: %d lines: %s", lesson, lines_of(said), said);
-    ck_assert_msg(!strstr(said, "gives up"), "%s: work that is done: %s", lesson, said);
+    ck_assert_msg(!strstr(said, "cancels"), "%s: work that is done: %s", lesson, said);
     ck_assert_msg(strstr(said, heading), "%s: no page %d: %s", lesson, number, said);
     ck_assert_msg(!strstr(said, "View ") && !strstr(said, " 1 Stage ") && !strstr(said, "more prints"),
                   "%s: %s", lesson, said);
