@@ -218,6 +218,10 @@ typedef struct Method {
     int (*exchange)(const Simulation *, int exchange, size_t from, size_t to,
                     double factors[EXCHANGE_FACTORS_MAX]);
 
+    /* The loads on a thing of the first set along an axis, as force per volume, at the time that its place is
+     * of. NULL: they are not known as such. */
+    double (*load_on)(const Simulation *, size_t index, int axis);
+
     /* The sums behind the stage just done, for one thing, written out with their numbers, which add up as
      * they stand: "p15 = 0.5 × (0.25 × 0.5 + 0.75 × 0.5) = 0.25". UTF-8, one sum a line, each line ended by
      * '\n', of any length: it may be broken at spaces (no-break spaces hold terms together). At most `size`

@@ -368,7 +368,7 @@ static int expect_bonds(const Scene *scene, const char *words)
     ck_assert_msg(row < lines.count, "%s", words);
     ck_assert(last_numbers(lines.line[row++], 1, &all, &half));
     ck_assert_msg(fabs(total - all) <= half * (1 + 1e-6), "%s: %.9g, not %.9g", words, total, all);
-    if (strstr(lines.line[row], "load on it"))
+    if (strstr(lines.line[row], "load on the node"))
         ck_assert(last_numbers(lines.line[row++], 1, &load, &half));
     ck_assert(last_numbers(lines.line[row], 1, &force, &half));
     if (!strstr(lines.line[row], "of the last step")) {

@@ -451,6 +451,23 @@ START_TEST(the_forces_add_up)
 }
 END_TEST
 
+/* Weight is a load too, and so are the tractions on a plate. */
+START_TEST(every_load_is_one)
+{
+    static const char *const scenes[] = {"hanging-beam 80x24 20 inspect focus 5 particle 900",
+                                         "pulled-plate 80x24 20 inspect focus 5 particle 15950"};
+    Scene scene;
+    double all[2], load[2], f[2], half[2];
+    open_scene(&scene, scenes[_i]);
+    read_forces(&scene, "all its bonds", all, half);
+    read_forces(&scene, "load on the node", load, half);
+    read_forces(&scene, "f of the node", f, half);
+    ck_assert_double_lt(fabs(all[1] + load[1] - f[1]), 3 * half[1]);
+    ck_assert_double_gt(fabs(load[1]), 100 * half[1]);
+    scene_close(&scene);
+}
+END_TEST
+
 /* The number of percent that the reader sees is the largest stretch that the method knows. */
 START_TEST(the_most_stretched_bond_is_named)
 {
@@ -879,6 +896,7 @@ void add_cases(Suite *suite)
     suite_add_tcase(suite, map);
     TCase *family = tcase_create("family");
     tcase_add_loop_test(family, the_forces_add_up, 0, 7);
+    tcase_add_loop_test(family, every_load_is_one, 0, 2);
     tcase_add_test(family, the_most_stretched_bond_is_named);
     if (suite_wide()) /* 700 steps of a beam */
         tcase_add_test(family, the_bond_that_breaks_is_named);

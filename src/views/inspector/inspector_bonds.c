@@ -7,7 +7,6 @@
 #include "base/text.h"
 #include "panes/screen.h"
 #include "scenario/concern_bonds.h"
-#include "scenario/concern_loads.h"
 #include "scenario/settings.h"
 #include "views/map/map.h"
 #include "base/math/functions.h"
@@ -286,23 +285,13 @@ static void note_most(const Family *family, Picture *picture)
 
 /* --- the forces --------------------------------------------------------------------------------------- */
 
-/* The load on the node at the time to which its force belongs, N/m^3. */
-static double load_on(const Family *family)
-{
-    const Settings *settings = family->settings;
-    const double time = (double)(family->sim->step + (family->sim->stage > 0)) * family->sim->dt;
-    const double share =
-        settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
-    return simulation_named(family->sim, 0, "loaded", family->node) > 0
-               ? -settings_loads(settings)->stress * share / family->body.spacing
-               : 0;
-}
-
 static void describe_forces(const Family *family, PictureTable *table)
 {
     static const char *const sides[] = {"bonds to the left", "bonds up and down", "bonds to the right"};
     static const char *const names[] = {"fx", "fy"};
-    const double loads[] = {0, load_on(family)};
+    const Simulation *sim = family->sim;
+    const double loads[] = {sim->method->load_on(sim, family->node, 0),
+                            sim->method->load_on(sim, family->node, 1)};
     table->what = "forces on it, N/m³";
     table->count = sizeof sides / sizeof *sides;
     table->n_columns = 2;

@@ -193,6 +193,7 @@ void beam_brake(Beam *beam, int j, bool second); /* row j before the first half 
 void beam_note_speeds(Beam *beam, int j);        /* of row j at the drift ... */
 void beam_add_speeds(Beam *beam);                /* ... and what comes of them, of rows in turn */
 double beam_weight(const Beam *);                /* of a node upwards, N/m^3 */
+double beam_load_on(const Simulation *, size_t node, int axis); /* Method.load_on, N/m^3 */
 void beam_weigh(Beam *beam, int j); /* adds the weight of row j to its forces, and a definition's own */
 /* In a state at the end of the step of this number. */
 void beam_look_for_rest(Beam *beam, long step);

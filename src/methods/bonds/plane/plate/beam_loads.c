@@ -43,21 +43,31 @@ static double weight(const Simulation *sim, size_t node, int axis, const void *c
     return axis == !beam->lattice.line ? beam_weight(beam) : 0;
 }
 
-/* Of all loads on a node at the end of the step under way. */
-static double tractions(const Simulation *sim, size_t node, int axis, const void *context)
+static double tractions_at(const Beam *beam, size_t node, int axis, double time)
 {
-    (void)context;
-    const Beam *beam = (const Beam *)sim;
     const int i = lattice_column(&beam->lattice, node), j = lattice_row(&beam->lattice, node);
     double sum = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
         if (!patch_has(&load->patch, i, j))
             continue;
-        beam_load_force(beam, load, (double)(sim->step + 1) * sim->dt, force);
+        beam_load_force(beam, load, time, force);
         sum += force[axis];
     }
     return sum;
+}
+
+/* Of all loads on a node at the end of the step under way. */
+static double tractions(const Simulation *sim, size_t node, int axis, const void *context)
+{
+    (void)context;
+    return tractions_at((const Beam *)sim, node, axis, (double)(sim->step + 1) * sim->dt);
+}
+
+double beam_load_on(const Simulation *sim, size_t node, int axis)
+{
+    return weight(sim, node, axis, NULL) +
+           tractions_at((const Beam *)sim, node, axis, (double)(sim->step + (sim->stage > 0)) * sim->dt);
 }
 
 static const ForceTerm of_weight = {.name = "weight",
