@@ -533,7 +533,7 @@ bool plain_open(Plain *plain, const LaboratoryOptions *options, FILE *out, Statu
     say(plain,
         "matvib in plain words. A line is a key by its name (] is a stage, . a step, Space a run) or a "
         "command: until end, show energies, initial.mode=3, tell stage. more describes the curves, why "
-        "explains the number, tell alone repeats all, help lists what there is, quit leaves.");
+        "explains the number, tell alone repeats all, help lists all, quit leaves.");
     plain->lines = 0;
     let_it_work(plain);
     if (!draw(plain, status)) {
