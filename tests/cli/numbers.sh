@@ -674,7 +674,7 @@ if [ -n "$MATVIB_WIDE" ]; then
 	claim $lesson/crack-speed.lesson "sqrt(E/rho): " 3036 " m/s in this glass" rayleigh_speed
 	awk -v horizon=0.002 '$1 == "rayleigh_speed" { print "window", 4 * horizon / $2 }' measured >window
 	cp window measured
-	claim $lesson/crack-speed.lesson "four horizons: " 2.6 " microseconds" window 1e6
+	claim $lesson/crack-speed.lesson "fitted over " 2.6 " microseconds, in which" window 1e6
 	run pulled-plate
 	claim $lesson/crack-speed.lesson "Its largest speed is " 1471 " m/s" fastest
 	claim $lesson/crack-speed.lesson "1471 m/s, " 0.48 " of c_R" of_rayleigh
