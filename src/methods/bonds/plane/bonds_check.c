@@ -49,13 +49,15 @@ static bool check_regions(const PlateRegion *regions, int count, const char *sec
 }
 
 /* What moves faster than waves do presses its surroundings to nothing before they feel it: the strain that a
- * velocity v brings is v/c. */
-static bool check_speeds(const PlateRegion *regions, int count, const char *section, double fastest,
-                         Status *status)
+ * velocity v brings is v/c. A plate that moves as a whole (`free`: nothing holds it) has no surroundings. */
+static bool check_speeds(const PlateRegion *regions, int count, const char *section, const Lattice *lattice,
+                         bool free, double fastest, Status *status)
 {
     for (const PlateRegion *region = regions; region < regions + count; region++) {
         const double speed = math_hypot(region->vx, region->vy);
-        if (!(speed <= fastest))
+        const Patch patch = patch_of_region(lattice, region, false);
+        const bool whole = patch.columns == lattice->nx && patch.rows == lattice->ny;
+        if (!(speed <= fastest) && !(free && whole))
             return status_refuse(status,
                                  "%s.%s: %g m/s is faster than waves in the plate (at most "
                                  "sqrt(youngs_modulus/density) = %.6g m/s)",
@@ -92,8 +94,9 @@ static bool plate_check(const PlateDef *plate, const Lattice *lattice, double wa
            check_regions(plate->supports, plate->n_supports, "supports", false, lattice, status) &&
            check_regions(plate->impulses, plate->n_impulses, "impulses", false, lattice, status) &&
            check_regions(plate->unbreakable, plate->n_unbreakable, "protected", true, lattice, status) &&
-           check_speeds(plate->supports, plate->n_supports, "supports", wave_speed, status) &&
-           check_speeds(plate->impulses, plate->n_impulses, "impulses", wave_speed, status) &&
+           check_speeds(plate->supports, plate->n_supports, "supports", lattice, false, wave_speed, status) &&
+           check_speeds(plate->impulses, plate->n_impulses, "impulses", lattice, plate->n_supports == 0,
+                        wave_speed, status) &&
            check_overlaps(plate, lattice, status);
 }
 
