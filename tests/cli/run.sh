@@ -355,6 +355,10 @@ result "its stress is in balance with its loads" awk -F, 'NR == 1 { for (i = 1; 
 refuse "critical damping of a plate that nothing holds" "pulled-plate: damping.rate: critical is twice a lowest frequency that is not known here: \
 nothing holds the plate, its two lowest lie too close, or the lattice is too fine (a number, 1/s)" \
 	pulled-plate --set pd.spacing=2e-3 --set pd.horizon=6e-3 --set time.step=auto --set time.rest=yes --steps 1
+free="pulled-plate --set pd.spacing=2e-3 --set pd.horizon=6e-3 --set time.step=auto --set loads.top=none --set loads.bottom=none --steps 2"
+expect "a free plate may move as a whole, however fast" 0 $free --set "impulses.a=0% 0% 100% 100% 6000 0"
+expect "a part of it may not" 2 $free --set "impulses.a=0% 0% 90% 100% 6000 0"
+expect "nor one that is held" 2 $free --set "impulses.a=0% 0% 100% 100% 6000 0" --set "supports.b=0 0 5mm 5mm ux 0"
 for pulse in 500,1,1 -3,1,1 50,101,1; do
 	refuse "a pulse $pulse" "--set: initial.pulse: $pulse is not on the bar (centre 0 to 100, width at most 100)" \
 		pulse --set initial.pulse=$pulse
