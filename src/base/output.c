@@ -490,8 +490,7 @@ void output_close(OutputFile *file)
     *file = (OutputFile){0};
 }
 
-/* --- output that is not a file written whole
- * -------------------------------------------------------------------- */
+/* --- output that is not one whole file ------------------------------------------------------------------ */
 
 void output_make_own_folders(Asker asker, const char *file)
 {

@@ -74,7 +74,7 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
     static const char *const names[] = {"ξ", "stretch s", "c G w V", "force on it"};
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
     const Simulation *sim = screen_simulation(screen);
-    const double load = simulation_named(sim, 0, "load", node);
+    const double load = sim->method->load_on(sim, node, 0);
     table->count = count;
     table->n_columns = COLUMNS;
     table->what = "bond to";

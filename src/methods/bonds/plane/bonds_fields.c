@@ -327,10 +327,8 @@ static double node_field(const Beam *beam, int field, size_t node)
         return beam->def.density / (1 + bonds_line_strain(beam, i));
     case F_MASS:
         return beam->def.density * lattice->spacing;
-    case F_LOAD: {
-        const ForceTerms forces = beam_terms(beam);
-        return forces_on(&forces, &beam->sim, node, 0);
-    }
+    case F_LOAD:
+        return beam_load_on(&beam->sim, node, 0);
     case F_ACCELERATION:
         return nodes->fx[at] / beam->def.density;
     default:

@@ -43,9 +43,13 @@ static double weight(const Simulation *sim, size_t node, int axis, const void *c
     return axis == !beam->lattice.line ? beam_weight(beam) : 0;
 }
 
-static double tractions_at(const Beam *beam, size_t node, int axis, double time)
+/* Of all loads on a node, at the end of the step that has begun. */
+static double tractions(const Simulation *sim, size_t node, int axis, const void *context)
 {
+    (void)context;
+    const Beam *beam = (const Beam *)sim;
     const int i = lattice_column(&beam->lattice, node), j = lattice_row(&beam->lattice, node);
+    const double time = (double)(sim->step + (sim->stage > 0)) * sim->dt;
     double sum = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
@@ -55,19 +59,6 @@ static double tractions_at(const Beam *beam, size_t node, int axis, double time)
         sum += force[axis];
     }
     return sum;
-}
-
-/* Of all loads on a node at the end of the step under way. */
-static double tractions(const Simulation *sim, size_t node, int axis, const void *context)
-{
-    (void)context;
-    return tractions_at((const Beam *)sim, node, axis, (double)(sim->step + 1) * sim->dt);
-}
-
-double beam_load_on(const Simulation *sim, size_t node, int axis)
-{
-    return weight(sim, node, axis, NULL) +
-           tractions_at((const Beam *)sim, node, axis, (double)(sim->step + (sim->stage > 0)) * sim->dt);
 }
 
 static const ForceTerm of_weight = {.name = "weight",
@@ -111,6 +102,12 @@ ForceTerms beam_terms(const Beam *beam)
                                                                 : &of_tractions);
     forces_add_all(&forces, beam->def.forces);
     return forces;
+}
+
+double beam_load_on(const Simulation *sim, size_t node, int axis)
+{
+    const ForceTerms forces = beam_terms((const Beam *)sim);
+    return forces_on(&forces, sim, node, axis);
 }
 
 double beam_own_power(const Beam *beam, int j)
