@@ -47,17 +47,6 @@ static void learn_rate(double *known, long steps, double seconds)
         *known = 0.7 * *known + 0.3 * rate;
 }
 
-/* Does a piece of work by `verb` and informs the clock. */
-static bool work(Laboratory *lab, bool (*verb)(Duel *, long, Status *), double *rate, long steps,
-                 Status *status)
-{
-    double before = lab->host.now(lab->host.context);
-    bool sound = verb(&lab->player.duel, steps, status);
-    lab->host.worked(lab->host.context, steps);
-    learn_rate(rate, steps, lab->host.now(lab->host.context) - before);
-    return sound;
-}
-
 /* What the next step will take. */
 static double step_seconds(double rate)
 {
@@ -76,29 +65,34 @@ static bool key_waits(const Host *host)
     return host->key_waits && host->key_waits(host->context);
 }
 
-/* A step, or the next part of it, by `verb`, up to the deadline. Returns how many steps were completed. */
-static long work_in_parts(Laboratory *lab, bool (*verb)(Duel *, double, bool *, Status *), double *rate,
-                          double deadline, bool *sound, Status *status)
+/* Does a piece of work by `verb`, all of it or, of steps that are long, a part of one up to the deadline, and
+ * informs the clock. Returns how many steps were completed. */
+static long work(Laboratory *lab, bool (*verb)(Duel *, Effort, bool *, Status *), double *rate, long steps,
+                 double deadline, bool *sound, Status *status)
 {
+    Player *player = &lab->player;
+    const bool in_parts = player->in_parts || !steps_are_short(*rate);
     /* all of a step may be in one stage */
-    const double share = *rate > 0 ? CHUNK_SECONDS * *rate : 1.0 / 64;
+    const Effort effort = {.steps = in_parts ? 1 : steps,
+                           .share = !in_parts   ? 0
+                                    : *rate > 0 ? CHUNK_SECONDS * *rate
+                                                : 1.0 / 64};
     bool whole = false;
     double last = lab->host.now(lab->host.context);
-    lab->player.in_parts = true;
     do {
-        *sound = verb(&lab->player.duel, share, &whole, status);
+        *sound = verb(&player->duel, effort, &whole, status);
         if (whole)
-            lab->host.worked(lab->host.context, 1);
+            lab->host.worked(lab->host.context, effort.steps);
         double now = lab->host.now(lab->host.context);
-        lab->player.part_seconds += now - last;
+        player->part_seconds += now - last;
         last = now;
     } while (*sound && !whole && last < deadline && !key_waits(&lab->host));
-    if (*sound && !whole)
+    player->in_parts = *sound && !whole;
+    if (player->in_parts)
         return 0;
-    learn_rate(rate, 1, lab->player.part_seconds);
-    lab->player.in_parts = false;
-    lab->player.part_seconds = 0;
-    return 1;
+    learn_rate(rate, effort.steps, player->part_seconds);
+    player->part_seconds = 0;
+    return effort.steps;
 }
 
 static bool run_frame(Laboratory *lab, double deadline)
@@ -129,13 +123,10 @@ static bool run_frame(Laboratory *lab, double deadline)
         double left = deadline - lab->host.now(lab->host.context);
         if (done > 0 && left < step_seconds(*rate)) {
             in_time = false;
-        } else if (lab->player.in_parts || !steps_are_short(*rate)) {
-            done += work_in_parts(lab, duel_advance_part, rate, deadline, &sound, &status);
-            in_time = !lab->player.in_parts;
         } else {
-            long piece = watched ? 1 : chunk(*rate, wanted - done, left);
-            sound = work(lab, duel_advance, rate, piece, &status);
-            done += piece;
+            done += work(lab, duel_advance, rate, watched ? 1 : chunk(*rate, wanted - done, left), deadline,
+                         &sound, &status);
+            in_time = !lab->player.in_parts;
         }
         arrived = sound && !lab->player.in_parts && player_arrive(lab);
     }
@@ -167,12 +158,9 @@ static bool compute_frame(Laboratory *lab, double deadline)
             break;
         if (left > most)
             most = left;
-        if (left > 0 && (lab->player.in_parts || !steps_are_short(*rate))) {
-            work_in_parts(lab, duel_work_part, rate, deadline, &sound, &status);
-            if (lab->player.in_parts)
-                return false;
-        } else
-            sound = work(lab, duel_work, rate, chunk(*rate, left > 0 ? left : 1, time_left), &status);
+        work(lab, duel_work, rate, chunk(*rate, left > 0 ? left : 1, time_left), deadline, &sound, &status);
+        if (lab->player.in_parts)
+            return false;
     }
     if (!sound || !duel_pending(duel, &left)) {
         lab->player.playback.work_share = 0;

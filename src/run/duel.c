@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "scenario/parameters.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -250,33 +251,42 @@ bool duel_start(Duel *duel, const Assignment *keys, int n_keys, Status *status)
 
 /* --- stepping -------------------------------------------------------------------------------------- */
 
-/* B's failure is B's: it stays at its last sound step. */
-static void catch_up(Duel *duel)
+bool duel_work(Duel *duel, Effort effort, bool *whole, Status *status)
 {
-    if (!duel->b)
-        return;
-    seek_second(duel);
-    while (experiment_pending(duel->b, NULL)) {
-        const long left = follow(duel) - experiment_step(duel->b);
-        if (!experiment_work(duel->b, left > 0 ? left : 1, NULL))
-            seek_second(duel);
-    }
+    Experiment *turn = duel_turn(duel);
+    *whole = true;
+    if (!turn || experiment_work(turn, effort, whole, turn == duel->b ? NULL : status))
+        return true;
+    seek_second(duel);      /* A stands where it failed */
+    return turn == duel->b; /* B's failure is B's: it stays at its last sound step */
 }
 
-bool duel_advance(Duel *duel, long steps, Status *status)
+static bool work_off(Duel *duel, Status *status)
 {
-    ASSERT_INT(steps, >=, 0);
-    const bool sound = experiment_advance(duel->a, steps, status);
-    catch_up(duel);
-    if (duel->b)
-        experiment_flow(duel->b);
+    bool sound = true, whole;
+    while (duel_pending(duel, NULL))
+        sound = duel_work(duel, (Effort){.steps = LONG_MAX}, &whole, status) && sound;
+    return sound;
+}
+
+bool duel_advance(Duel *duel, Effort effort, bool *whole, Status *status)
+{
+    if (!(effort.share > 0) || !duel_pending(duel, NULL)) {
+        experiment_go_on(duel->a, effort.share > 0 ? experiment_stage(duel->a) == 0 : effort.steps);
+        seek_second(duel);
+        if (duel->b)
+            experiment_flow(duel->b);
+    }
+    const bool sound = effort.share > 0 ? duel_work(duel, effort, whole, status) : work_off(duel, status);
+    *whole = !duel_pending(duel, NULL);
     return sound;
 }
 
 bool duel_next_stage(Duel *duel, Status *status)
 {
     const bool sound = experiment_next_stage(duel->a, status);
-    catch_up(duel);
+    seek_second(duel);
+    work_off(duel, NULL);
     return sound;
 }
 
@@ -307,63 +317,12 @@ bool duel_pending(const Duel *duel, long *steps_left)
     return a || b;
 }
 
-bool duel_work(Duel *duel, long steps, Status *status)
-{
-    ASSERT_INT(steps, >=, 1);
-    Experiment *turn = duel_turn(duel);
-    bool sound = true;
-    if (turn && turn == duel->b)
-        experiment_work(duel->b, steps, NULL);
-    else if (turn)
-        sound = experiment_work(duel->a, steps, status);
-    if (!sound)
-        seek_second(duel); /* A stands where it failed */
-    return sound;
-}
-
-static size_t items_of(const Experiment *experiment, double share)
-{
-    const size_t all = experiment_simulation(experiment)->stage_items;
-    const size_t items = share < 1 ? (size_t)(share * (double)all) : all;
-    return items > 0 ? items : 1;
-}
-
-bool duel_advance_part(Duel *duel, double share, bool *whole, Status *status)
-{
-    ASSERT_REAL(share, >=, 0);
-    bool sound = true, first = true;
-    if (!duel->b || !experiment_pending(duel->b, NULL)) {
-        sound = experiment_advance_part(duel->a, items_of(duel->a, share), &first, status);
-        if (first || !sound)
-            seek_second(duel);
-    } else {
-        bool second;
-        experiment_flow(duel->b);
-        experiment_work_part(duel->b, items_of(duel->b, share), &second, NULL);
-    }
-    *whole = first && !(duel->b && experiment_pending(duel->b, NULL));
-    return sound;
-}
-
-bool duel_work_part(Duel *duel, double share, bool *whole, Status *status)
-{
-    ASSERT_REAL(share, >=, 0);
-    Experiment *turn = duel_turn(duel);
-    *whole = true;
-    if (!turn)
-        return true;
-    const bool sound =
-        experiment_work_part(turn, items_of(turn, share), whole, turn == duel->b ? NULL : status);
-    if (!sound)
-        seek_second(duel);
-    return sound || turn == duel->b;
-}
-
 void duel_drop_part(Duel *duel)
 {
     experiment_drop_part(duel->a);
     if (duel->b)
         experiment_drop_part(duel->b);
+    seek_second(duel);
 }
 
 void duel_cancel(Duel *duel)
@@ -393,12 +352,7 @@ static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
 {
     Settings settings = *experiment_settings(duel->b);
     settings_edit_time(&settings)->end = settings_time(wanted)->end;
-    settings_edit_output(&settings)->every = settings_output(wanted)->every;
-    settings_edit_output(&settings)->frames = settings_output(wanted)->frames;
-    memcpy(settings_edit_output(&settings)->at, settings_output(wanted)->at,
-           sizeof settings_output(&settings)->at);
-    memcpy(settings_edit_output(&settings)->columns, settings_output(wanted)->columns,
-           sizeof settings_output(&settings)->columns);
+    settings_take_output(&settings, wanted);
     const bool sound = experiment_edit(duel->b, &settings, status);
     seek_second(duel);
     return sound;

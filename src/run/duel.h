@@ -50,20 +50,17 @@ bool duel_start(Duel *, const Assignment *keys, int n_keys, Status *);
 void duel_end(Duel *);
 
 /* As the verbs of experiment.h, for both. False: A failed. */
-bool duel_advance(Duel *, long steps, Status *);
 bool duel_next_stage(Duel *, Status *); /* A by stages; B stays at its whole step */
 void duel_seek(Duel *, long step, int stage);
 
 /* Whose work is next, of one that is pending; NULL: nothing is. */
 Experiment *duel_turn(const Duel *);
 bool duel_pending(const Duel *, long *steps_left); /* of both */
-bool duel_work(Duel *, long steps, Status *);
-
-/* As the parts of experiment.h, of steps that take longer than a frame: a share of the items of a stage. A
- * step of A is whole when B has followed. */
-bool duel_advance_part(Duel *, double share, bool *whole, Status *);
-bool duel_work_part(Duel *, double share, bool *whole, Status *);
+bool duel_work(Duel *, Effort, bool *whole, Status *);
 void duel_drop_part(Duel *);
+
+/* Goes on: all of so many steps, or a part of the one at hand; it is whole when B has followed. */
+bool duel_advance(Duel *, Effort, bool *whole, Status *);
 
 /* A stays where it has come to, and B comes there too; a B that A waits for is given up, with the duel. */
 void duel_cancel(Duel *);

@@ -7,6 +7,7 @@
 #include "base/status.h"
 #include "scenario/settings.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -192,16 +193,6 @@ const double *experiment_row(const Experiment *experiment)
 
 /* --- forwards ------------------------------------------------------------------------------------- */
 
-bool experiment_advance(Experiment *experiment, long steps, Status *status)
-{
-    ASSERT_INT(steps, >=, 0);
-    experiment_drop_part(experiment);
-    experiment->pending = false;
-    experiment->flowing = true;
-    experiment->before.known = false;
-    return experiment_do_steps(experiment, steps, status);
-}
-
 void experiment_flow(Experiment *experiment)
 {
     experiment->flowing = true;
@@ -320,20 +311,51 @@ bool experiment_explain_beside(const Experiment *experiment, const Experiment *o
     return true;
 }
 
-/* --- seeking -------------------------------------------------------------------------------------- */
+/* --- on the way to a goal --------------------------------------------------------------------------- */
+
+static bool is_begun(const Simulation *sim)
+{
+    return sim->stage != 0 || sim->item != 0;
+}
+
+/* Back to where the step began. */
+static void undo_part(Experiment *experiment)
+{
+    if (experiment->part.begun)
+        simulation_restore(experiment->run.sim, experiment->part.bytes);
+    experiment->part.begun = false;
+}
+
+void experiment_drop_part(Experiment *experiment)
+{
+    undo_part(experiment);
+    experiment->pending = experiment->pending && !experiment->goes_on;
+}
 
 void experiment_seek(Experiment *experiment, long step, int stage)
 {
     ASSERT_INT(stage, >=, 0);
-    experiment_drop_part(experiment);
+    undo_part(experiment);
     if (step < 0)
         step = 0, stage = 0;
     if (step >= experiment->run.last)
         step = experiment->run.last, stage = 0;
+    experiment->goes_on = false;
     experiment->goal_step = step;
-    experiment->goal_stage = stage > 0 ? stage : 0;
+    experiment->goal_stage = stage;
     experiment->pending =
         experiment->run.sim->step != step || experiment->run.sim->stage != experiment->goal_stage;
+}
+
+void experiment_go_on(Experiment *experiment, long steps)
+{
+    ASSERT_INT(steps, >=, 0);
+    undo_part(experiment);
+    const Simulation *sim = experiment->run.sim;
+    const long from = sim->step + is_begun(sim);
+    experiment_seek(experiment, steps < experiment->run.last - from ? from + steps : experiment->run.last, 0);
+    experiment->goes_on = experiment->flowing = true;
+    experiment->before.known = false;
 }
 
 bool experiment_pending(const Experiment *experiment, long *steps_left)
@@ -357,7 +379,7 @@ bool experiment_work_off(Experiment *experiment, Cancel cancel, Status *status)
     long left, all = 1;
     while (experiment_pending(experiment, &left)) {
         all = left > all ? left : all;
-        if (!experiment_work(experiment, slice, status))
+        if (!experiment_work(experiment, (Effort){.steps = slice}, &(bool){false}, status))
             return false;
         if (cancel_requested(&cancel, 1 - (double)left / (double)all))
             return status_fail(status, "interrupted");
@@ -372,25 +394,40 @@ void experiment_goal(const Experiment *experiment, long *step, int *stage)
     *stage = experiment->pending ? experiment->goal_stage : sim->stage;
 }
 
-bool experiment_work(Experiment *experiment, long steps, Status *status)
+/* A part of a step, from which there is a way back; without memory for that there must be no stop in it. */
+static bool do_part(Experiment *experiment, double share, bool *whole, Status *status)
 {
-    ASSERT_INT(steps, >=, 0);
-    Simulation *sim = experiment->run.sim;
-    experiment_drop_part(experiment);
+    Part *part = &experiment->part;
+    const Simulation *sim = experiment->run.sim;
+    const double items = fmin(share, 1) * (double)sim->stage_items;
+    if (!part->begun && !keep_state(sim, &part->bytes, &part->room))
+        return experiment_do_steps(experiment, !is_begun(sim), status);
+    const bool sound = experiment_do_slice(experiment, items < 1 ? 1 : (size_t)items, whole, status);
+    part->begun = sound && !*whole;
+    return sound;
+}
+
+bool experiment_work(Experiment *experiment, Effort effort, bool *whole, Status *status)
+{
+    ASSERT_INT(effort.steps, >=, 0);
+    const Simulation *sim = experiment->run.sim;
+    bool sound = true;
+    *whole = true;
+    if (!(effort.share > 0))
+        undo_part(experiment);
     if (!experiment->pending)
         return true;
-    experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
+    if (!experiment->part.begun)
+        experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
     if (sim->step < experiment->goal_step) {
+        const long left = experiment->goal_step - sim->step - is_begun(sim);
         experiment->before.known = false;
-        bool begun = sim->stage != 0;
-        bool sound = !begun || experiment_do_steps(experiment, 0, status);
-        long left = experiment->goal_step - sim->step;
-        if (!sound || !experiment_do_steps(experiment, left < steps ? left : steps, status)) {
-            experiment->pending = false;
-            return false;
-        }
-        if (sim->step < experiment->goal_step)
-            return true;
+        sound = effort.share > 0
+                    ? do_part(experiment, effort.share, whole, status)
+                    : experiment_do_steps(experiment, left < effort.steps ? left : effort.steps, status);
+        experiment->pending = sound && (!*whole || sim->step < experiment->goal_step);
+        if (!sound || experiment->pending)
+            return sound;
     }
     experiment->pending = false;
     if (sim->stage == 0)
@@ -402,55 +439,14 @@ bool experiment_work(Experiment *experiment, long steps, Status *status)
     return true;
 }
 
+bool experiment_advance(Experiment *experiment, long steps, Status *status)
+{
+    experiment_go_on(experiment, steps);
+    return experiment_work(experiment, (Effort){.steps = LONG_MAX}, &(bool){false}, status);
+}
+
 void experiment_cancel(Experiment *experiment)
 {
-    experiment_drop_part(experiment);
+    undo_part(experiment);
     experiment->pending = false;
-}
-
-/* --- steps in parts ------------------------------------------------------------------------------- */
-
-static bool do_part(Experiment *experiment, size_t items, bool *whole, Status *status)
-{
-    Part *part = &experiment->part;
-    experiment->before.known = false;
-    if (!part->begun) {
-        if (!keep_state(experiment->run.sim, &part->bytes, &part->room)) {
-            *whole = true; /* there is no way back from the middle, so there must be no stop in it */
-            return experiment_do_steps(experiment, experiment->run.sim->stage == 0 ? 1 : 0, status);
-        }
-        part->begun = true;
-    }
-    bool sound = experiment_do_slice(experiment, items, whole, status);
-    part->begun = sound && !*whole;
-    return sound;
-}
-
-bool experiment_advance_part(Experiment *experiment, size_t items, bool *whole, Status *status)
-{
-    if (experiment->pending)
-        experiment_drop_part(experiment);
-    experiment->pending = false;
-    experiment->flowing = true;
-    return do_part(experiment, items, whole, status);
-}
-
-bool experiment_work_part(Experiment *experiment, size_t items, bool *whole, Status *status)
-{
-    *whole = true;
-    if (!experiment->pending)
-        return true;
-    if (!experiment->part.begun)
-        experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
-    if (experiment->run.sim->step >= experiment->goal_step)
-        return experiment_work(experiment, 0, status);
-    experiment->pending = do_part(experiment, items, whole, status);
-    return experiment->pending;
-}
-
-void experiment_drop_part(Experiment *experiment)
-{
-    if (experiment->part.begun)
-        simulation_restore(experiment->run.sim, experiment->part.bytes);
-    experiment->part.begun = false;
 }

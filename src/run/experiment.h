@@ -81,21 +81,38 @@ long experiment_last_step(const Experiment *); /* the step at which time.end is 
 bool experiment_at_end(const Experiment *);
 bool experiment_failed(const Experiment *, Status *);
 
-/* Goes on by whole steps, at most to the end; a step that has begun is finished first and not counted (so 0
- * steps finish it, and do nothing else). A seek that is pending is given up. False: the run failed; then it
- * stands at the last sound whole step. */
+/* How much is done at once: whole steps or, of steps that take longer than a frame, a part of the one at
+ * hand.
+ */
+typedef struct Effort {
+    long steps;
+    double share; /* of the items of a stage (Simulation.stage_items); 0: whole steps */
+} Effort;
+
+/* Sets a goal: so many whole steps more, at most the end; a step that has begun is finished first and not
+ * counted (so 0 steps finish it, and do nothing else). Rows come. */
+void experiment_go_on(Experiment *, long steps);
+
+/* Sets a goal: step `step` with `stage` stages of the next one done, forwards or backwards, at most the end.
+ */
+void experiment_seek(Experiment *, long step, int stage);
+
+/* On the way to the goal, until nothing is pending. *whole: a step came to its end, or there was none to do.
+ * Until then the state is not one of the run, not to be looked at: a caller that wants to, and whatever else
+ * is done to the experiment, goes back to where the step began by experiment_drop_part(). False: the run
+ * failed; then it stands at the last sound whole step, and nothing is pending. */
+bool experiment_work(Experiment *, Effort, bool *whole, Status *);
+bool experiment_pending(const Experiment *, long *steps_left);
+void experiment_drop_part(Experiment *); /* a goal of experiment_go_on() goes with it */
+
+/* experiment_go_on() and all of its work. */
 bool experiment_advance(Experiment *, long steps, Status *);
 
-/* For steps that take longer than a frame: at most so many items of the step at hand (Simulation.stage_items
- * to each of its stages) or, of a seek that is pending, of the way to its goal. *whole: a step came to its
- * end, or there was none to do. Until then the state is not one of the run, not to be looked at: a caller
- * that wants to, and whatever else is done to the experiment, goes back to where the step began by
- * experiment_drop_part(). */
-bool experiment_advance_part(Experiment *, size_t items, bool *whole, Status *);
-bool experiment_work_part(Experiment *, size_t items, bool *whole, Status *);
-void experiment_drop_part(Experiment *);
+/* Works until nothing is pending, in slices that keep a caller responsive. False: also where it was
+ * cancelled, which is a failure "interrupted". */
+bool experiment_work_off(Experiment *, Cancel, Status *);
 
-/* Rows come, by experiment_work(), as by experiment_advance(). */
+/* Rows come, by experiment_work(), as by experiment_go_on(). */
 void experiment_flow(Experiment *);
 
 /* No rows come for the time being: what is worked out now and then only while the run goes on, the readout,
@@ -118,14 +135,6 @@ bool experiment_field_before(const Experiment *, int field, size_t first, size_t
 bool experiment_explain_beside(const Experiment *, const Experiment *other, int stage, int set, size_t index,
                                int terms, char *out, size_t size);
 
-/* To step `step` with `stage` stages of the next one done, forwards or backwards: sets the goal (at most the
- * last step). Then call experiment_work() until nothing is pending. */
-void experiment_seek(Experiment *, long step, int stage);
-bool experiment_pending(const Experiment *, long *steps_left);
-bool experiment_work(Experiment *, long steps, Status *);
-/* Works until nothing is pending, in slices that keep a caller responsive. False: also where it was
- * cancelled, which is a failure "interrupted". */
-bool experiment_work_off(Experiment *, Cancel, Status *);
 void experiment_goal(const Experiment *, long *step,
                      int *stage);     /* of work that is pending, or the present */
 void experiment_cancel(Experiment *); /* stay where the work has come to */

@@ -40,8 +40,10 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     } else if (keep_ghost && experiment_is_pinned(experiment)) {
         experiment_drop_unpinned(experiment);
     } else if (keep_ghost && experiment_has_curve(experiment)) {
-        GhostData ghost_data = experiment_ghost_data(experiment);
-        experiment_make_ghost(experiment, false, &experiment->record, &ghost_data);
+        Ghost left = experiment_leave(experiment);
+        left.record = experiment->record;
+        experiment->record = (Record){0};
+        experiment_keep_ghost(experiment, false, &left);
     }
     /* what outlives a run */
     memcpy(fresh->ghosts, experiment->ghosts, sizeof fresh->ghosts);
@@ -90,16 +92,11 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
     begin_changed_ones(&settings, &experiment->base);
     if (settings_same(&settings, &experiment->base)) {
         /* The same run from its beginning; nothing has to be made again. */
-        Record old;
-        const bool kept = keep_ghost && experiment_has_curve(experiment);
-        GhostData ghost_data = {0};
-        if (kept)
-            ghost_data = experiment_ghost_data(experiment);
-        experiment_rewind(experiment, &old);
-        if (kept && old.count > 0)
-            experiment_make_ghost(experiment, false, &old, &ghost_data);
-        experiment_drop_ghost_data(&ghost_data);
-        record_close(&old);
+        Ghost left = {.used = false};
+        if (keep_ghost && experiment_has_curve(experiment))
+            left = experiment_leave(experiment);
+        experiment_rewind(experiment, &left.record);
+        experiment_keep_ghost(experiment, false, &left);
         experiment->pending = false;
         forget_answers(experiment);
         experiment_write_legends(experiment);
@@ -208,20 +205,18 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
             return false;
     }
     Record old = {0};
-    GhostData ghost_data = {0};
+    Ghost left = {.used = false};
     if (experiment->newest > step && !record_copy(&old, &experiment->record))
         return status_fail(status, "not enough memory to keep the curves");
     if (old.count > 0)
-        ghost_data = experiment_ghost_data(experiment);
+        left = experiment_leave(experiment);
+    left.record = old;
     if (!experiment_change(experiment, step, &changed, status)) {
-        record_close(&old);
-        experiment_drop_ghost_data(&ghost_data);
+        experiment_drop_ghost(&left);
         return false;
     }
     memcpy(experiment->advice, advice, sizeof advice);
-    if (old.count > 0)
-        experiment_make_ghost(experiment, false, &old, &ghost_data);
-    record_close(&old);
+    experiment_keep_ghost(experiment, false, &left);
     forget_answers(experiment);
     experiment_write_legends(experiment);
     return true;
@@ -236,11 +231,7 @@ static void take_over_rest(Settings *to, const Settings *from)
     memcpy(to->duel, from->duel, sizeof to->duel);
     to->n_duel = from->n_duel;
     *settings_edit_view(to) = *settings_view(from);
-    settings_edit_output(to)->every = settings_output(from)->every;
-    settings_edit_output(to)->frames = settings_output(from)->frames;
-    memcpy(settings_edit_output(to)->at, settings_output(from)->at, sizeof settings_output(to)->at);
-    memcpy(settings_edit_output(to)->columns, settings_output(from)->columns,
-           sizeof settings_output(to)->columns);
+    settings_take_output(to, from);
 }
 
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
@@ -285,8 +276,10 @@ bool experiment_rerun(Experiment *experiment, const Settings *wanted, Status *st
 void experiment_become_ghost(Experiment *experiment, Experiment *heir)
 {
     if (experiment_has_curve(experiment)) {
-        GhostData ghost_data = experiment_ghost_data(experiment);
-        experiment_make_ghost(heir, false, &experiment->record, &ghost_data);
+        Ghost left = experiment_leave(experiment);
+        left.record = experiment->record;
+        experiment->record = (Record){0};
+        experiment_keep_ghost(heir, false, &left);
         experiment_write_legends(heir);
     }
     experiment_destroy(experiment);

@@ -67,6 +67,7 @@ struct Experiment {
     int n_given;
     Ghost ghosts[GHOSTS_MAX];
     bool pending;
+    bool goes_on; /* the goal is that of experiment_go_on() */
     long goal_step;
     int goal_stage;
     Before before;
@@ -112,24 +113,12 @@ void experiment_set_end(Experiment *, double end);
 
 /* --- ghosts: ghosts.c --------------------------------------------------------------------------------- */
 
-/* What a run leaves behind besides its record. */
-typedef struct GhostData {
-    Settings base;
-    Column columns[COLUMNS_MAX];
-    int n_columns;
-    Readout readout; /* of the whole record */
-    Profile profile; /* empty where memory is short */
-    CrackLine crack;
-    struct Follow *names; /* of followed columns: simulation_hold_names() */
-} GhostData;
+/* What a run leaves behind, but for its record, which the caller adds. */
+Ghost experiment_leave(const Experiment *);
 
-void experiment_drop_ghost_data(GhostData *);
-
-GhostData experiment_ghost_data(const Experiment *);
-
-/* Record and data are handed over, not copied. The unpinned ghost has its place for itself. False: all
- * places for pinned ones are taken. */
-bool experiment_make_ghost(Experiment *, bool pinned, Record *, GhostData *);
+/* It is handed over, or dropped where there are no rows, no memory or no place for another pinned one. The
+ * unpinned ghost has its place for itself. */
+void experiment_keep_ghost(Experiment *, bool pinned, Ghost *left);
 void experiment_drop_ghost(Ghost *);
 void experiment_drop_unpinned(Experiment *);
 

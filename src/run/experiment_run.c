@@ -205,12 +205,6 @@ static bool fail(Experiment *experiment, const Status *why, Status *status)
     return status_take(status, why);
 }
 
-static bool may_go_on(const Experiment *experiment, Status *status)
-{
-    return !experiment->run.failed || experiment->run.sim->step < experiment->newest ||
-           status_take(status, &experiment->run.failure);
-}
-
 /* As advance(); where the run cannot go on it stands at its last sound whole step. */
 static bool go(Experiment *experiment, RunUnit unit, long count, Status *status)
 {
@@ -218,20 +212,21 @@ static bool go(Experiment *experiment, RunUnit unit, long count, Status *status)
     return advance(experiment, unit, count, &why) || fail(experiment, &why, status);
 }
 
+/* What is known of a run that failed, and not beyond. */
+static long known(const Experiment *experiment, long steps)
+{
+    return experiment->run.failed ? least(steps, experiment->newest - experiment->run.sim->step) : steps;
+}
+
 bool experiment_do_steps(Experiment *experiment, long steps, Status *status)
 {
     ASSERT_INT(steps, >=, 0);
-    const Simulation *sim = experiment->run.sim;
-    if ((sim->stage != 0 || sim->item != 0) && !go(experiment, RUN_STEPS, 0, status))
+    const Run *run = &experiment->run;
+    if (!go(experiment, RUN_STEPS, 0, status)) /* a step that has begun */
         return false;
-    if (experiment->run.failed && sim->step < experiment->newest) {
-        const long known = least(steps, experiment->newest - sim->step);
-        if (!go(experiment, RUN_STEPS, known, status))
-            return false;
-        steps -= known;
-    }
-    return steps == 0 || sim->step >= experiment->run.last ||
-           (may_go_on(experiment, status) && go(experiment, RUN_STEPS, steps, status));
+    const long sound = known(experiment, steps);
+    return go(experiment, RUN_STEPS, sound, status) &&
+           (sound == steps || run->sim->step >= run->last || status_take(status, &run->failure));
 }
 
 bool experiment_do_stage(Experiment *experiment, Status *status)
@@ -247,7 +242,9 @@ bool experiment_do_slice(Experiment *experiment, size_t items, bool *whole, Stat
     *whole = !begun && sim->step >= experiment->run.last;
     if (*whole)
         return true;
-    if ((!begun && !may_go_on(experiment, status)) || !go(experiment, RUN_ITEMS, (long)items, status))
+    if (!begun && known(experiment, 1) == 0)
+        return status_take(status, &experiment->run.failure);
+    if (!go(experiment, RUN_ITEMS, (long)items, status))
         return false;
     *whole = sim->stage == 0 && sim->item == 0;
     return true;

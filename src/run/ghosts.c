@@ -28,35 +28,23 @@ void experiment_write_legends(Experiment *experiment)
     }
 }
 
-/* The readout of a run at the newest row of its record. */
-static Readout read_whole(const Experiment *experiment)
+Ghost experiment_leave(const Experiment *experiment)
 {
     const Record *record = &experiment->record;
-    Readout readout;
-    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
-    references_readout(experiment->refs, record->rows, rows, record->n_columns, &readout);
-    return readout;
-}
-
-GhostData experiment_ghost_data(const Experiment *experiment)
-{
-    GhostData ghost_data = {
-        .base = experiment->base, .n_columns = experiment->n_columns, .readout = read_whole(experiment)};
-    memcpy(ghost_data.columns, experiment->columns, sizeof ghost_data.columns);
-    profile_take(&ghost_data.profile, experiment->run.sim, NULL);
+    const size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
+    Ghost left = {.settings = malloc(sizeof *left.settings), .n_columns = experiment->n_columns};
+    if (!left.settings)
+        return left;
+    *left.settings = experiment->base;
+    memcpy(left.columns, experiment->columns, sizeof left.columns);
+    references_readout(experiment->refs, record->rows, rows, record->n_columns, &left.readout);
+    profile_take(&left.profile, experiment->run.sim, NULL);
     const CrackFronts *fronts = crack_fronts_update(&experiment->worked->fronts, experiment->run.sim)
                                     ? &experiment->worked->fronts
                                     : NULL;
-    crack_line_keep(experiment->run.sim, &experiment->base, fronts, &ghost_data.crack);
-    ghost_data.names = simulation_hold_names(experiment->run.sim);
-    return ghost_data;
-}
-
-void experiment_drop_ghost_data(GhostData *ghost_data)
-{
-    profile_close(&ghost_data->profile);
-    simulation_release_names(ghost_data->names);
-    memset(ghost_data, 0, sizeof *ghost_data);
+    crack_line_keep(experiment->run.sim, &experiment->base, fronts, &left.crack);
+    left.names = simulation_hold_names(experiment->run.sim);
+    return left;
 }
 
 /* A place for a ghost; the unpinned one has its place for itself. NULL: all are taken. */
@@ -76,29 +64,19 @@ static Ghost *find_place(Experiment *experiment, bool pinned)
     return pinned && n_pinned == GHOSTS_MAX - 1 ? NULL : found;
 }
 
-bool experiment_make_ghost(Experiment *experiment, bool pinned, Record *record, GhostData *ghost_data)
+void experiment_keep_ghost(Experiment *experiment, bool pinned, Ghost *left)
 {
-    Ghost *ghost = find_place(experiment, pinned);
-    Settings *settings = ghost ? malloc(sizeof *settings) : NULL;
-    if (!settings)
-        return false;
-    experiment_drop_ghost(ghost);
-    ghost->used = true;
-    ghost->pinned = pinned;
-    ghost->letter = (char)('a' + (ghost - experiment->ghosts));
-    *settings = ghost_data->base;
-    ghost->settings = settings;
-    ghost->record = *record;
-    memcpy(ghost->columns, ghost_data->columns, sizeof ghost->columns);
-    ghost->n_columns = ghost_data->n_columns;
-    ghost->readout = ghost_data->readout;
-    ghost->profile = ghost_data->profile;
-    ghost->crack = ghost_data->crack;
-    ghost->names = ghost_data->names;
-    ghost->spectra = calloc(SPECTRUM_SPANS, sizeof *ghost->spectra);
-    memset(record, 0, sizeof *record);
-    memset(ghost_data, 0, sizeof *ghost_data);
-    return true;
+    Ghost *ghost = left->settings && left->record.count > 0 ? find_place(experiment, pinned) : NULL;
+    if (ghost) {
+        experiment_drop_ghost(ghost);
+        *ghost = *left;
+        ghost->used = true;
+        ghost->pinned = pinned;
+        ghost->letter = (char)('a' + (ghost - experiment->ghosts));
+        ghost->spectra = calloc(SPECTRUM_SPANS, sizeof *ghost->spectra);
+        *left = (Ghost){.used = false};
+    }
+    experiment_drop_ghost(left);
 }
 
 bool experiment_has_curve(const Experiment *experiment)
@@ -139,8 +117,9 @@ bool experiment_pin(Experiment *experiment, Status *status)
     Record copy;
     if (!record_copy(&copy, &experiment->record))
         return status_fail(status, "not enough memory to pin the curves");
-    GhostData ghost_data = experiment_ghost_data(experiment);
-    experiment_make_ghost(experiment, true, &copy, &ghost_data);
+    Ghost left = experiment_leave(experiment);
+    left.record = copy;
+    experiment_keep_ghost(experiment, true, &left);
     experiment_write_legends(experiment);
     return true;
 }

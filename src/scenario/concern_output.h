@@ -31,6 +31,9 @@ const ViewSettings *settings_view(const Settings *);
 Output *settings_edit_output(Settings *);
 ViewSettings *settings_edit_view(Settings *);
 
+/* What is written of another one's run, but for the columns that it follows, which are another run's. */
+void settings_take_output(Settings *, const Settings *from);
+
 enum { TIMES_MAX = 64 };
 
 /* "0,1e-4,2e-4", ascending: how many there are, or -1. */

@@ -180,3 +180,10 @@ READ_AND_EDIT(Damping, damping)
 READ_AND_EDIT(TimeSettings, time)
 READ_AND_EDIT(Output, output)
 READ_AND_EDIT(ViewSettings, view)
+
+void settings_take_output(Settings *settings, const Settings *from)
+{
+    Output output = *settings_output(from);
+    memcpy(output.follow, settings_output(settings)->follow, sizeof output.follow);
+    *settings_edit_output(settings) = output;
+}

@@ -21,7 +21,7 @@ enum { MEGABYTE = 1 << 20 };
 static void finish(Duel *duel)
 {
     for (long left; duel_pending(duel, &left);)
-        duel_work(duel, 7, NULL);
+        duel_work(duel, (Effort){.steps = 7}, &(bool){false}, NULL);
 }
 
 static Duel begin(const Settings *settings, const char *keys, size_t history)
@@ -81,10 +81,10 @@ static void walk(Duel *duel, unsigned long *state)
     int to;
     switch (draw(state, 8)) {
     case 0:
-        ck_assert(duel_advance(duel, 1, NULL));
+        ck_assert(duel_advance(duel, (Effort){.steps = 1}, &(bool){false}, NULL));
         break;
     case 1:
-        ck_assert(duel_advance(duel, 13, NULL));
+        ck_assert(duel_advance(duel, (Effort){.steps = 13}, &(bool){false}, NULL));
         break;
     case 2:
         ck_assert(duel_next_stage(duel, NULL));
@@ -99,12 +99,12 @@ static void walk(Duel *duel, unsigned long *state)
     case 5:
         if (experiment_stage(a) == 0)
             while (!whole && !experiment_at_end(a))
-                ck_assert(duel_advance_part(duel, 0.3, &whole, NULL));
+                ck_assert(duel_advance(duel, (Effort){.share = 0.3}, &whole, NULL));
         break;
     case 6:
         duel_seek(duel, step + 25, 0);
         while (duel_pending(duel, NULL))
-            ck_assert(duel_work_part(duel, 0.4, &whole, NULL));
+            ck_assert(duel_work(duel, (Effort){.share = 0.4}, &whole, NULL));
         break;
     default:
         duel_seek(duel, step, 0);
@@ -158,7 +158,7 @@ START_TEST(it_can_begin_in_the_middle)
     Assignment keys[DUEL_MAX];
     Status status = {0};
     duel_open(&duel, open_experiment(&settings, MEGABYTE), MEGABYTE, 1);
-    ck_assert(duel_advance(&duel, 333, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 333}, &(bool){false}, NULL));
     ck_assert_int_eq(duel_read_keys("  mpm.algorithm=usl   time.courant=0.07 ", keys, &status), 2);
     ck_assert_str_eq(keys[1].key, "time.courant");
     ck_assert_str_eq(keys[1].value, "0.07");
@@ -174,7 +174,7 @@ START_TEST(it_can_begin_in_the_middle)
     /* given up while A waits: the duel is over */
     duel_seek(&duel, 900, 0);
     while (experiment_pending(duel.a, NULL))
-        experiment_work(duel.a, 100, NULL);
+        experiment_work(duel.a, (Effort){.steps = 100}, &(bool){false}, NULL);
     duel_cancel(&duel);
     ck_assert_ptr_null(duel.b);
     ck_assert(!duel_pending(&duel, NULL));
@@ -264,7 +264,7 @@ START_TEST(wrong_keys_are_refused)
         ck_assert(count < 0 || !duel_start(&duel, keys, count, &status));
         ck_assert_str_eq(status.text, cases[i].why);
         ck_assert_ptr_null(duel.b);
-        ck_assert(duel_advance(&duel, 10, NULL)); /* A alone goes on */
+        ck_assert(duel_advance(&duel, (Effort){.steps = 10}, &(bool){false}, NULL)); /* A alone goes on */
         end(&duel);
     }
 }
@@ -319,7 +319,7 @@ START_TEST(a_failed_second_run_stays_behind)
     set(&settings, "initial.velocity", "1");
     set(&settings, "mesh.padding", "16");
     Duel duel = begin(&settings, "mesh.padding=1", MEGABYTE);
-    ck_assert(duel_advance(&duel, 6000, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 6000}, &(bool){false}, NULL));
     ck_assert(experiment_at_end(duel.a));
     Status why = {0};
     ck_assert(experiment_failed(duel.b, &why));
@@ -349,7 +349,7 @@ START_TEST(an_edit_restarts_both)
 {
     const Settings settings = bar_settings(5, 10);
     Duel duel = begin(&settings, "mpm.algorithm=usl", MEGABYTE);
-    ck_assert(duel_advance(&duel, 400, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 400}, &(bool){false}, NULL));
     Settings edited = *experiment_settings(duel.a);
     set(&edited, "mesh.cell_size", "0.5");
     ck_assert(duel_change(&duel, &edited, experiment_edit, NULL));
@@ -407,7 +407,7 @@ START_TEST(changes_in_mid_run_keep_their_time)
     ck_assert_int_eq(base->n_changes, 1); /* the algorithm is B's own */
     ck_assert_int_eq(base->changes[0].step, 200);
     ck_assert_int_eq(base->n_duel, 0);
-    ck_assert(duel_advance(&duel, 300, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 300}, &(bool){false}, NULL));
     ck_assert_double_eq(settings_transfer(experiment_settings(duel.b))->flip_fraction, 0.9);
     ck_assert_int_eq(settings_transfer(experiment_settings(duel.b))->algorithm, MPM_USL);
     expect_together(&duel);
@@ -422,12 +422,12 @@ START_TEST(the_memory_is_shared)
     Assignment keys[DUEL_MAX];
     const size_t history = 64 << 10;
     duel_open(&duel, open_experiment(&settings, history), history, 1);
-    ck_assert(duel_advance(&duel, 2000, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 2000}, &(bool){false}, NULL));
     ck_assert_uint_gt(duel.a->history.used, history / 2);
     ck_assert_int_eq(duel_read_keys("mpm.algorithm=usl", keys, NULL), 1);
     ck_assert(duel_start(&duel, keys, 1, NULL));
     finish(&duel);
-    ck_assert(duel_advance(&duel, 1000, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 1000}, &(bool){false}, NULL));
     ck_assert_uint_le(duel.a->history.used, history / 2);
     ck_assert_uint_le(duel.b->history.used, history / 2);
     ck_assert_uint_gt(duel.b->history.count, 4);
@@ -445,7 +445,7 @@ START_TEST(its_curve_stays)
 {
     const Settings settings = bar_settings(5, 10);
     Duel duel = begin(&settings, "mpm.algorithm=usl", MEGABYTE);
-    ck_assert(duel_advance(&duel, 500, NULL));
+    ck_assert(duel_advance(&duel, (Effort){.steps = 500}, &(bool){false}, NULL));
     Record record;
     ck_assert(record_copy(&record, experiment_record(duel.b)));
     duel_end(&duel);

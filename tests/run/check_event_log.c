@@ -158,7 +158,7 @@ START_TEST(advice_changes_and_failure_are_told)
     /* back before it, and on in another way: it never happened */
     experiment_seek(experiment, 100, 0);
     while (experiment_pending(experiment, NULL))
-        ck_assert(experiment_work(experiment, 1000, NULL));
+        ck_assert(experiment_work(experiment, (Effort){.steps = 1000}, &(bool){false}, NULL));
     ck_assert_int_eq(count_of(experiment, EVENT_CHANGE), 1); /* rewound: still known */
     settings = *experiment_settings(experiment);
     ck_assert(settings_set(&settings, "mpm.flip_fraction", "0.5", NULL));

@@ -35,6 +35,11 @@ static void expect_straight(Experiment *experiment, const char *what)
     simulation_destroy(fresh);
 }
 
+static Effort a_part(size_t items, size_t all)
+{
+    return (Effort){.share = (double)items / (double)all};
+}
+
 /* One step in slices of any size; sometimes it is given up on its way, then the present is where it began. */
 static void step_in_parts(Experiment *experiment, unsigned long *state)
 {
@@ -42,8 +47,9 @@ static void step_in_parts(Experiment *experiment, unsigned long *state)
     long step = experiment_step(experiment);
     int stage = experiment_stage(experiment);
     size_t all = experiment_simulation(experiment)->stage_items;
+    experiment_go_on(experiment, stage == 0);
     while (!whole && draw(state, 40) > 0)
-        ck_assert(experiment_advance_part(experiment, 1 + draw(state, all), &whole, NULL));
+        ck_assert(experiment_work(experiment, a_part(1 + draw(state, all), all), &whole, NULL));
     experiment_drop_part(experiment);
     ck_assert_int_eq(experiment_step(experiment), whole && !at_end ? step + 1 : step);
     ck_assert_int_eq(experiment_stage(experiment), whole ? 0 : stage);
@@ -55,7 +61,7 @@ static void seek_in_parts(Experiment *experiment, long step, int stage, unsigned
     size_t all = experiment_simulation(experiment)->stage_items;
     experiment_seek(experiment, step, stage);
     while (experiment_pending(experiment, NULL)) {
-        ck_assert(experiment_work_part(experiment, 1 + draw(state, 2 * all), &whole, NULL));
+        ck_assert(experiment_work(experiment, a_part(1 + draw(state, 2 * all), all), &whole, NULL));
         if (draw(state, 300) == 0)
             experiment_drop_part(experiment);
     }

@@ -66,7 +66,8 @@ void finish_work(Experiment *experiment)
     for (int rounds = 0; experiment_pending(experiment, &left); rounds++) {
         ck_assert_int_lt(rounds, 1000000);
         ck_assert_int_ge(left, 0);
-        ck_assert_msg(experiment_work(experiment, 37, &status), "%s", status.text);
+        ck_assert_msg(experiment_work(experiment, (Effort){.steps = 37}, &(bool){false}, &status), "%s",
+                      status.text);
     }
 }
 

@@ -24,7 +24,7 @@ typedef struct Show {
 static void work(Show *show)
 {
     while (experiment_pending(show->screen.experiment, NULL))
-        ck_assert(experiment_work(show->experiment, 1000, &show->status));
+        ck_assert(experiment_work(show->experiment, (Effort){.steps = 1000}, &(bool){false}, &show->status));
 }
 
 static void open_settings(Show *show, const char *scenario, const Settings *settings, long steps)

@@ -154,7 +154,7 @@ static bool read_words(Scene *scene, Plan *plan, const char *words, Status *stat
 static bool work_off(Duel *duel, Status *status)
 {
     while (duel_pending(duel, NULL))
-        if (!duel_work(duel, 100000, status))
+        if (!duel_work(duel, (Effort){.steps = 100000}, &(bool){false}, status))
             return false;
     return true;
 }
@@ -184,7 +184,7 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     screen->duel = duel;
     if (plan->duels && !begin_duel(scene, plan, status))
         return false;
-    if (!duel_advance(duel, plan->steps, status))
+    if (!duel_advance(duel, (Effort){.steps = plan->steps}, &(bool){false}, status))
         scene->playback.state = STATE_FAILED;
     experiment_rest(experiment);
     if (duel->b)
