@@ -174,11 +174,13 @@ static bool write_lessons(const char *unused)
 static bool write_texts(const char *unused)
 {
     (void)unused;
-    for (int i = 0; i < n_text_keys; i++) {
+    for (int i = 0; i < n_parameters; i++) {
+        if (parameters[i].concern != CONCERN_NONE)
+            continue;
         puts(".TP");
-        say_in("B", text_keys[i].key);
+        say_in("B", parameters[i].key);
         putchar('\n');
-        say_line(text_keys[i].help);
+        say_line(parameters[i].help);
     }
     return true;
 }
@@ -291,7 +293,7 @@ static void write_help(const Parameter *parameter, int concern)
     const char *said[PROBLEMS_MAX];
     int n = 0;
     for (int p = 0; problems[p]; p++) {
-        const char *help = parameter_help(parameter, problems[p]);
+        const char *help = parameter_in(parameter, problems[p]).help;
         bool again = false;
         for (int k = 0; k < n; k++)
             again = again || strcmp(said[k], help) == 0;
@@ -314,7 +316,7 @@ static void write_parameter(const Parameter *parameter, int concern)
         first = is_of(parameter, problems[p], concern) ? problems[p] : NULL;
 
     char range[160];
-    const char *unit = parameter_unit(parameter, first);
+    const char *unit = parameter_in(parameter, first).unit;
     parameter_range(parameter, first, range, sizeof range);
     puts(".TP");
     say_in("B", parameter->key);
@@ -338,8 +340,8 @@ static void write_parameter(const Parameter *parameter, int concern)
     putchar('\n');
     if (parameter->wrong)
         puts("Each is described in\n.BR matvib-equations (7).");
-    for (int i = 1; !parameter->wrong && parameter->choice_help && i < parameter_choices(parameter, first);
-         i++) {
+    for (int i = 1;
+         !parameter->wrong && parameter->choice_help && i < parameter_in(parameter, first).n_choices; i++) {
         puts(".br");
         say_in("B", parameter->choices[i]);
         fputs(": ", stdout);

@@ -54,7 +54,7 @@ static void add(List *list, const Parameter *parameter, double value)
 static void add_choices(List *list, const Settings *right, const Parameter *parameter)
 {
     const int now = (int)settings_number(right, parameter);
-    const int count = parameter->type == PARAMETER_FLAG ? 2 : parameter_choices(parameter, right->problem);
+    const int count = parameter_in(parameter, right->problem).n_choices;
     for (int i = 0; i < count; i++)
         if (i != now)
             add(list, parameter, i);
@@ -111,7 +111,7 @@ int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
     int count = 0;
     for (int p = 0; p < n_parameters; p++)
         if (diagnose_is_tried(right, &parameters[p]) && parameters[p].wrong)
-            for (int i = 1; i < parameter_choices(&parameters[p], right->problem); i++)
+            for (int i = 1; i < parameter_in(&parameters[p], right->problem).n_choices; i++)
                 for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
                     out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, k, NULL};
     return count;

@@ -547,7 +547,7 @@ static bool try_times(Trials *trials, double factor, double dt, bool plain, bool
                        factor == trials->times[0].factor &&
                        (!has_own_steps(table) || 10.5 * dt > table->spacing * factor))))
             trials->times[trials->n_times++] = times;
-        for (int i = -1; i < (ordered ? parameter_choices(order, right->problem) : 0) && !*found; i++) {
+        for (int i = -1; i < (ordered ? parameter_in(order, right->problem).n_choices : 0) && !*found; i++) {
             Settings settings = *right;
             if (i == (int)settings_number(right, order) && ordered)
                 continue;
@@ -619,7 +619,7 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
     const bool of_own_steps = is_whole(ratio, table->spacing_bound / fmax(table->spacing, 1e-300) * ratio);
     const Parameter *mistake = parameter_find(right->method == METHOD_PD ? "pd.mistake" : "mpm.mistake");
     const int mistakes =
-        wrong && parameter_applies_to(right, mistake) ? parameter_choices(mistake, right->problem) : 1;
+        wrong && parameter_applies_to(right, mistake) ? parameter_in(mistake, right->problem).n_choices : 1;
     bool sound = true;
     for (int pass = round->pass; pass < end; pass++)
         for (int i = 0; i < trials->n_times && sound && !*found; i++) {

@@ -467,7 +467,7 @@ static bool try_other_steppings(Search *search)
     if (search->found->n_explanations == 0 || search->found->explanations[0].kind != DIAGNOSE_MISTAKE ||
         !parameter_applies_to(&search->of_first, stepping))
         return true;
-    for (int i = 0; sound && i < parameter_choices(stepping, search->right.problem); i++) {
+    for (int i = 0; sound && i < parameter_in(stepping, search->right.problem).n_choices; i++) {
         search->right = search->of_first;
         settings_put(&search->right, stepping, i);
         sound = i == now || try_listed(search, MISTAKES);

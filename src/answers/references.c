@@ -200,14 +200,6 @@ int references_thickness_lines(const References *refs, double out[THICKNESS_LINE
  * neutral must be in the list that the solver gave for that reference, and so must every parameter that is
  * changed in mid-run. */
 
-static bool is_among(const char *const *keys, const char *key)
-{
-    for (; keys && *keys; keys++)
-        if (strcmp(*keys, key) == 0)
-            return true;
-    return false;
-}
-
 static bool is_at_work(const Settings *settings, const Parameter *parameter)
 {
     return !parameter->output && parameter_applies_to(settings, parameter) &&
@@ -225,7 +217,7 @@ const char *answer_unlisted_now(const Settings *settings, Reference reference)
 {
     const Validity *known = validity_of(settings, reference);
     for (int i = 0; known && i < n_parameters; i++)
-        if (!is_among(known->keys, parameters[i].key) && is_at_work(settings, &parameters[i]))
+        if (text_place_in(parameters[i].key, known->keys) < 0 && is_at_work(settings, &parameters[i]))
             return parameters[i].key;
     return NULL;
 }
@@ -244,7 +236,7 @@ const char *answer_invalid_because(const Settings *settings, Reference reference
 {
     const Validity *known = validity_of(settings, reference);
     for (int i = 0; known && i < settings->n_changes; i++)
-        if (!is_among(known->changes, settings->changes[i].to.key)) {
+        if (text_place_in(settings->changes[i].to.key, known->changes) < 0) {
             const Parameter *parameter = parameter_find(settings->changes[i].to.key);
             return parameter ? parameter->key : NULL;
         }

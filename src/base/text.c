@@ -238,7 +238,7 @@ const char *text_last_word(const char *text)
 
 int text_place_in(const char *word, const char *const words[])
 {
-    for (int i = 0; words[i]; i++)
+    for (int i = 0; words && words[i]; i++)
         if (strcmp(words[i], word) == 0)
             return i;
     return -1;

@@ -77,7 +77,7 @@ const char *text_last_word(const char *text);
 /* One more of what is allowed: "usf | usl"; what has no room is left out. */
 void text_or(char *out, size_t size, const char *word);
 
-/* Where a word stands among words that end with a NULL; -1: nowhere. */
+/* Where a word stands among words that end with a NULL (NULL: there are none); -1: nowhere. */
 int text_place_in(const char *word, const char *const words[]);
 
 /* Equations and labels in ASCII: one table for all of them. */

@@ -81,7 +81,7 @@ static void print_json(const Options *options, const FitTask *task, const FitRes
     quantities_begin(&list, "quantities");
     for (int i = 0; i < task->n_keys; i++) {
         const Parameter *parameter = parameter_find(task->keys[i]);
-        const char *unit = parameter ? parameter_unit(parameter, task->settings->problem) : NULL;
+        const char *unit = parameter ? parameter_in(parameter, task->settings->problem).unit : NULL;
         quantities_add(&list, task->keys[i], result->values[i], unit && *unit ? unit : NULL);
         quantities_number(&list, "half_width_95", result->noise.half_widths[i]);
         quantities_number(&list, "began_at", fit_value(task->settings, task->keys[i]));

@@ -83,7 +83,7 @@ static void print_choice(const Settings *settings, const Parameter *parameter, i
     Settings other = *settings;
     Status why = {STATUS_DONE, ""};
     const char *word = parameter->choices[choice], *sentence = parameter->choice_help(choice), *mark = NULL;
-    const int methods = (int)parameter_methods(parameter, settings->problem);
+    const int methods = parameter_in(parameter, settings->problem).methods;
     while (methods != BY_EVERY_METHOD && !(methods >> other.method & 1))
         other.method = (MethodKind)((other.method + 1) % METHODS);
     if (settings_set(&other, parameter->key, word, &why) && !settings_check(&other, &why))
@@ -100,12 +100,12 @@ static void print_choice(const Settings *settings, const Parameter *parameter, i
 static void print_parameter(const Settings *settings, const Parameter *parameter)
 {
     char value[LIST_MAX], assignment[96], range[160];
-    const char *unit = parameter_unit(parameter, settings->problem);
+    const Parameter row = parameter_in(parameter, settings->problem);
+    const char *unit = row.unit;
     settings_show(settings, parameter, value);
-    const char *automatic = parameter_automatic(parameter, settings->problem);
     parameter_range(parameter, settings->problem, range, sizeof range);
     /* neither a word nor nothing at all has a unit */
-    if (!*value || (automatic && strcmp(value, automatic) == 0))
+    if (!*value || (row.automatic && strcmp(value, row.automatic) == 0))
         unit = "";
     snprintf(assignment, sizeof assignment, "%s =%s%.60s%s%s", parameter->key, *value ? " " : "", value,
              *unit ? " " : "", unit);
@@ -113,10 +113,8 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     const bool choice = settings->problem->concerns & CONCERN_METHODS;
     const bool wide = strlen(range) > RANGE_WIDTH; /* has a line of its own */
     printf("  %-*s%s%s%s%s\n      %s\n", wide ? 0 : 43, assignment, wide ? "\n      " : "", range,
-           parameter->live ? "  [live]" : "",
-           choice ? methods[parameter_methods(parameter, settings->problem)] : "",
-           parameter_help(parameter, settings->problem));
-    for (int i = 1; parameter->choice_help && i < parameter_choices(parameter, settings->problem); i++)
+           parameter->live ? "  [live]" : "", choice ? methods[row.methods] : "", row.help);
+    for (int i = 1; row.choice_help && i < row.n_choices; i++)
         print_choice(settings, parameter, i);
 }
 

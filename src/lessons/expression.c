@@ -173,7 +173,7 @@ static double value_of(const ExpressionStep *step, const ExpressionRun *run)
     if (!parameter_applies_to(run->settings, step->key))
         return NAN;
     settings_get(run->settings, step->key, text);
-    const char *automatic = parameter_automatic(step->key, run->settings->problem);
+    const char *automatic = parameter_in(step->key, run->settings->problem).automatic;
     return automatic && strcmp(automatic, text) == 0 ? NAN : settings_number(run->settings, step->key);
 }
 

@@ -335,12 +335,11 @@ static bool read_until(Reader *reader, const char *text)
         int words; /* behind it */
     } kinds[] = {{"step", UNTIL_STEP, 1}, {"time", UNTIL_TIME, 1},       {"stage", UNTIL_STAGE, 1},
                  {"end", UNTIL_END, 0},   {"command", UNTIL_COMMAND, 1}, {"value", UNTIL_VALUE, 2}};
-    for (int i = 0; stop_event_words[i]; i++)
-        if (strcmp(text, stop_event_words[i]) == 0) {
-            reader->page->until = (LessonUntil){.kind = UNTIL_EVENT};
-            strcpy(reader->page->until.word, text);
-            return true;
-        }
+    if (text_place_in(text, stop_event_words) >= 0) {
+        reader->page->until = (LessonUntil){.kind = UNTIL_EVENT};
+        strcpy(reader->page->until.word, text);
+        return true;
+    }
     char word[16] = "", one[KEY_MAX] = "", two[VALUE_MAX] = "", more;
     int count = sscanf(text, "%15s %39s %63s %c", word, one, two, &more) - 1;
     LessonUntil *until = &reader->page->until;

@@ -443,10 +443,8 @@ bool simulation_asks(const char *names, const char *column)
 bool simulation_is_on_request(const Simulation *sim, const char *column)
 {
     const char *part = strchr(column, '.');
-    for (const char *const *name = sim->method->on_request; name && *name; name++)
-        if (strcmp(*name, **name == '.' && part ? part : column) == 0)
-            return true;
-    return false;
+    const char *const *names = sim->method->on_request;
+    return text_place_in(column, names) >= 0 || (part && text_place_in(part, names) >= 0);
 }
 
 void simulation_ask_columns(Simulation *sim, const char *names)

@@ -345,7 +345,7 @@ static void draw_keys(const Screen *screen, Area area)
     parameter_range(parameter, problem, range, sizeof range);
     const char *unit = problem->si ? parameter->unit : "";
     snprintf(text, sizeof text, "%s (%s%s%s): %s", parameter->key, range, *unit ? " " : "", unit,
-             parameter_help(parameter, problem));
+             parameter_in(parameter, problem).help);
     if (EDIT_HINT_COLUMN + glyphs_columns(text) < area.rect.width)
         area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
     else

@@ -236,7 +236,7 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     const bool is_number = parameter->type == PARAMETER_REAL || parameter->type == PARAMETER_INTEGER;
     const int wanted = 3 + glyphs_columns(name);
     /* the plain sheet has no row for the unit of the chosen one */
-    const char *unit = alone && settings->problem->si ? parameter_unit(parameter, settings->problem) : "";
+    const char *unit = alone && settings->problem->si ? parameter_in(parameter, settings->problem).unit : "";
     if (parameter->type == PARAMETER_REAL && unit[0] && strcmp(unit, "1") != 0 &&
         isdigit((unsigned char)value[strspn(value, "-.")]) &&
         wanted + glyphs_columns(value) + 1 + glyphs_columns(unit) <= width)
@@ -324,7 +324,8 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
 {
     char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
     if (row->parameter) {
-        snprintf(unit, sizeof unit, "%s", parameter_unit(row->parameter, screen_settings(screen)->problem));
+        snprintf(unit, sizeof unit, "%s",
+                 parameter_in(row->parameter, screen_settings(screen)->problem).unit);
         parameter_range(row->parameter, screen_settings(screen)->problem, range, sizeof range);
         real_text(screen, row->parameter, real);
     } else if (row->derived >= 0) {

@@ -268,8 +268,11 @@ static void tell_edits(Plain *plain)
     }
     char about[64], was[ROW_TEXT_MAX], is[ROW_TEXT_MAX];
     const bool both = experiment == plain->of && settings->problem == plain->settings.problem;
-    for (int i = 0; both && settings_rows_difference(settings, &plain->settings, i, about, is, was); i++)
+    RowDifference row;
+    for (int i = 0; both && settings_rows_difference(settings, &plain->settings, i, &row); i++) {
+        row_difference_show(&row, about, is, was);
         say(plain, "%s: %s, before: %s.", about, is, was);
+    }
     plain->of = experiment;
     plain->settings = *settings;
 }

@@ -13,6 +13,7 @@
 
 /* What a problem is made of; each parameter belongs to one of these, and so to the problems that have it. */
 enum Concern {
+    CONCERN_NONE = 0,            /* of no problem: what a scenario says beside it */
     CONCERN_BAR = 1 << 0,        /* a bar, in any consistent units */
     CONCERN_BEAM = 1 << 1,       /* a beam in the plane, SI units */
     CONCERN_MOTION = 1 << 2,     /* it leaves a channel */

@@ -55,10 +55,8 @@ static bool read_event(Stop *stop, const char *word, const Experiment *experimen
 {
     const Simulation *sim = experiment_simulation(experiment);
     const bool reports = settings_time(experiment_settings(experiment))->rest;
-    int i = 0;
-    while (stop_event_words[i] && strcmp(stop_event_words[i], word) != 0)
-        i++;
-    if (!stop_event_words[i])
+    const int i = text_place_in(word, stop_event_words);
+    if (i < 0)
         return false;
     *stop = (Stop){
         .kind = STOP_AT_EVENT, .events = kinds[i].events, .rests = i == REST_WORD && !reports, .since = -1};

@@ -39,7 +39,12 @@ static const char *const flags[] = {"no", "yes", NULL};
 /* Enum members are read and written as int. */
 _Static_assert(sizeof(MpmAlgorithm) == sizeof(int) && sizeof(Clamp) == sizeof(int), "enums are ints");
 
-#define AT(member)    .offset = VALUE_OFFSET(member)
+#define AT(member)   .offset = VALUE_OFFSET(member)
+#define TEXT(member) .type = PARAMETER_TEXT, AT(member), .size = sizeof(((SettingsValues *)NULL)->member)
+#define SAID(member)                                                                                         \
+    NULL, "", "", .type = PARAMETER_TEXT, .offset = offsetof(Settings, member),                              \
+                  .size = sizeof(((Settings *)NULL)->member)
+#define SHOWN(member) NULL, "", "", TEXT(view.member)
 #define ABOVE_ZERO    .least = 0, .most = HUGE_VAL, .above_least = true
 #define FROM_ZERO     .least = 0, .most = HUGE_VAL
 #define ANY           .least = -HUGE_VAL, .most = HUGE_VAL

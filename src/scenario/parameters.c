@@ -42,34 +42,22 @@ bool parameter_colour_is_there(const Settings *settings, const char *word)
     return there;
 }
 
-#define TEXT(member) offsetof(Settings, member), sizeof(((Settings *)NULL)->member)
-#define VIEW(member) VALUE_OFFSET(view.member), sizeof(((SettingsValues *)NULL)->view.member)
-
-const TextKey text_keys[] = {
-    {"scenario.title", TEXT(title), "one line that names the scenario in lists", TEXT_ANY},
-    {"scenario.about", TEXT(about), "what there is to see; further lines are indented", TEXT_ANY},
-    {"question.key", TEXT(question), "the choice that the key t toggles", TEXT_ANY},
-    {"view.upper", VIEW(upper), "view in the upper plot: its word, or 1 to 9", TEXT_VIEW},
-    {"view.lower", VIEW(lower), "view in the lower plot: its word, or 1 to 9", TEXT_VIEW},
-    {"view.window", VIEW(window), "length of the time window", TEXT_POSITIVE},
-    {"view.pace", VIEW(pace), "steps per frame", TEXT_POSITIVE},
-    {"view.colour", VIEW(colour), "what colours a beam, or its drawing with dimensions", TEXT_COLOUR},
-    {"view.exaggeration", VIEW(exaggeration), "factor by which displacements are drawn", TEXT_POSITIVE},
-    {"view.references", VIEW(references), "reference curves: all, exact, predicted, none", TEXT_REFERENCES},
-    {"screen.sheet", VIEW(sheet), "how much there is on the screen at first: plain or full", TEXT_SHEET},
-    {"screen.about", VIEW(about), "the number shown in large digits: a word of exercises", TEXT_ANY},
-    {"screen.ask", VIEW(ask),
-     "keys of up to four parameters to be changed, or of rows of a plate, separated by commas", TEXT_ANY},
-};
-
-const int n_text_keys = (int)(sizeof text_keys / sizeof *text_keys);
-
-const Parameter *parameter_find(const char *key)
+static const Parameter *row_of(const char *key, bool text)
 {
     for (int i = 0; i < n_parameters; i++)
         if (strcmp(parameters[i].key, key) == 0)
-            return &parameters[i];
+            return (parameters[i].concern == CONCERN_NONE) == text ? &parameters[i] : NULL;
     return NULL;
+}
+
+const Parameter *parameter_find(const char *key)
+{
+    return row_of(key, false);
+}
+
+const Parameter *parameter_text_find(const char *key)
+{
+    return row_of(key, true);
 }
 
 void parameter_name_alone(const Parameter *parameter, char *out, size_t size)
@@ -106,20 +94,13 @@ void fixed_key_text(const FixedKey *fixed, char *out, size_t size)
     snprintf(out, size, "%s: is %s here and cannot be set: %s", fixed->key, fixed->value, fixed->reason);
 }
 
-const TextKey *text_key_find(const char *key)
-{
-    for (int i = 0; i < n_text_keys; i++)
-        if (strcmp(text_keys[i].key, key) == 0)
-            return &text_keys[i];
-    return NULL;
-}
-
 bool parameter_applies(const Parameter *parameter, const Problem *problem)
 {
     return parameter->concern == CONCERN_ANY || (parameter->concern & problem->concerns) != 0;
 }
 
-const ParameterUse *parameter_use(const Parameter *parameter, const Problem *problem)
+/* Where the problem overrides its row; NULL: nowhere. */
+static const ParameterUse *parameter_use(const Parameter *parameter, const Problem *problem)
 {
     for (int i = 0; i < problem->n_uses; i++)
         if (strcmp(problem->uses[i].key, parameter->key) == 0)
@@ -127,21 +108,28 @@ const ParameterUse *parameter_use(const Parameter *parameter, const Problem *pro
     return NULL;
 }
 
-double parameter_usual(const Parameter *parameter, const Problem *problem)
+Parameter parameter_in(const Parameter *parameter, const Problem *problem)
 {
     const ParameterUse *use = parameter_use(parameter, problem);
-    return use ? use->usual : parameter->usual;
-}
-
-int parameter_methods(const Parameter *parameter, const Problem *problem)
-{
-    const ParameterUse *use = parameter_use(parameter, problem);
-    return use && use->methods ? use->methods : parameter->methods;
+    Parameter row = *parameter;
+    row.unit = problem->si ? row.unit : row.dimension;
+    while (row.choices && row.choices[row.n_choices])
+        row.n_choices++;
+    if (!use)
+        return row;
+    row.usual = use->usual;
+    row.methods = use->methods ? use->methods : row.methods;
+    row.help = use->help ? use->help : row.help;
+    row.automatic = use->automatic ? use->automatic : row.automatic;
+    row.n_choices = use->choices > 0 ? use->choices : row.n_choices;
+    row.others = use->others;
+    return row;
 }
 
 bool parameter_applies_to(const Settings *settings, const Parameter *parameter)
 {
-    const int methods = parameter_methods(parameter, settings->problem);
+    const ParameterUse *use = parameter_use(parameter, settings->problem);
+    const int methods = use && use->methods ? use->methods : parameter->methods;
     return parameter_applies(parameter, settings->problem) &&
            (methods == BY_EVERY_METHOD || methods & 1 << settings->method);
 }
@@ -185,39 +173,9 @@ const char *parameter_nearest(const Problem *problem, const char *key)
 {
     Nearest nearest = nearest_begin(key);
     for (int i = 0; i < n_parameters; i++)
-        if (parameter_applies(&parameters[i], problem))
+        if (parameters[i].concern == CONCERN_NONE || parameter_applies(&parameters[i], problem))
             offer_key(&nearest, parameters[i].key);
-    for (int i = 0; i < n_text_keys; i++)
-        nearest_offer(&nearest, text_keys[i].key);
     return nearest.word;
-}
-
-const char *parameter_unit(const Parameter *parameter, const Problem *problem)
-{
-    return problem->si ? parameter->unit : parameter->dimension;
-}
-
-const char *parameter_help(const Parameter *parameter, const Problem *problem)
-{
-    const ParameterUse *use = parameter_use(parameter, problem);
-    return use && use->help ? use->help : parameter->help;
-}
-
-const char *parameter_automatic(const Parameter *parameter, const Problem *problem)
-{
-    const ParameterUse *use = parameter_use(parameter, problem);
-    return use && use->automatic ? use->automatic : parameter->automatic;
-}
-
-int parameter_choices(const Parameter *parameter, const Problem *problem)
-{
-    const ParameterUse *use = parameter_use(parameter, problem);
-    int count = 0;
-    if (use && use->choices > 0)
-        return use->choices;
-    while (parameter->choices && parameter->choices[count])
-        count++;
-    return count;
 }
 
 void parameter_range(const Parameter *parameter, const Problem *problem, char *out, size_t size)
@@ -225,15 +183,16 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
     char least[NUMBER_TEXT_MAX], most[NUMBER_TEXT_MAX];
     text_shortest(least, parameter->least);
     text_shortest(most, parameter->most);
-    const char *automatic = parameter_automatic(parameter, problem);
+    const Parameter row = parameter_in(parameter, problem);
+    const char *automatic = row.automatic;
     const char *or_word = automatic ? *automatic ? automatic : "empty" : "";
     const char *or_bar = automatic ? " | " : "";
     if (parameter->choice_help && parameter->wrong) {
-        snprintf(out, size, "%s, or one of %d: matvib params %s", parameter->choices[0],
-                 parameter_choices(parameter, problem) - 1, problem->word);
+        snprintf(out, size, "%s, or one of %d: matvib params %s", parameter->choices[0], row.n_choices - 1,
+                 problem->word);
     } else if (parameter->choices) {
         *out = '\0';
-        for (int i = 0; i < parameter_choices(parameter, problem); i++)
+        for (int i = 0; i < row.n_choices; i++)
             text_or(out, size, parameter->choices[i]);
     } else if (parameter->type == PARAMETER_TEXT) {
         snprintf(out, size, "%s",
@@ -355,7 +314,7 @@ void settings_default(Settings *settings, const Problem *problem)
         /* the energy follows from the stretch, but where a problem begins with an energy of its own */
         if (parameter_applies(&parameters[i], problem) &&
             (!is_energy(&parameters[i]) || parameter_use(&parameters[i], problem)))
-            settings_put(settings, &parameters[i], parameter_usual(&parameters[i], problem));
+            settings_put(settings, &parameters[i], parameter_in(&parameters[i], problem).usual);
     settings_edit_contact(settings)->gap_given = false;
     settings_default_rows(settings);
 }
@@ -374,18 +333,19 @@ static void write_value(const Settings *settings, const Parameter *parameter, in
         memcpy(out, member_of(settings, parameter->offset), LIST_MAX);
         return;
     }
+    const Parameter row = parameter_in(parameter, settings->problem);
     double value = settings_number(settings, parameter);
     if (parameter->choices) {
         ASSERT_INT(value, >=, 0);
-        ASSERT_INT(value, <, parameter_choices(parameter, settings->problem));
+        ASSERT_INT(value, <, row.n_choices);
         const char *word = parameter->choices[(int)value];
         const bool concealed = parameter->wrong && settings->concealed;
         char cipher[CIPHER_MAX] = "";
         if (concealed && digits == 0)
             parameter_cipher(word, cipher);
         snprintf(out, LIST_MAX, "%s%s", concealed ? "?" : "", concealed ? cipher : word);
-    } else if (parameter_automatic(parameter, settings->problem) && value == parameter->automatic_value)
-        strcpy(out, parameter_automatic(parameter, settings->problem));
+    } else if (row.automatic && value == row.automatic_value)
+        strcpy(out, row.automatic);
     else if (digits == 0 || parameter->type == PARAMETER_INTEGER)
         text_shortest(out, value);
     else

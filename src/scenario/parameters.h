@@ -18,7 +18,7 @@ typedef enum ParameterType {
     PARAMETER_INTEGER,
     PARAMETER_CHOICE, /* an enum; values are indices into choices */
     PARAMETER_FLAG,   /* a bool: yes | no */
-    PARAMETER_TEXT    /* LIST_MAX bytes */
+    PARAMETER_TEXT
 } ParameterType;
 
 typedef enum Nudge {
@@ -33,18 +33,30 @@ typedef enum Nudge {
     NUDGE_NEXT     /* next choice */
 } Nudge;
 
+/* What a text may be; empty is always allowed. */
+typedef enum TextRule {
+    TEXT_ANY,
+    TEXT_VIEW,       /* a view's digit, 1 to 9, or its word */
+    TEXT_POSITIVE,   /* a number > 0 */
+    TEXT_REFERENCES, /* one of parameter_reference_words */
+    TEXT_SHEET,      /* one of parameter_sheet_words */
+    TEXT_COLOUR      /* one of parameter_colour_words */
+} TextRule;
+
 /* Methods that read a parameter. */
 enum { BY_EVERY_METHOD = 0, BY_MPM = 1 << METHOD_MPM, BY_PD = 1 << METHOD_PD };
 
 typedef struct Parameter {
     const char *key;       /* "bar.youngs_modulus": section.key of the scenario file */
-    int concern;           /* of the problems that have it: problems/problem.h */
+    int concern;           /* of the problems that have it: problems/problem.h; CONCERN_NONE: a text key */
     const char *group;     /* heading on screen: "Bar", "Start", "Mesh", "Method", "Time", ... */
     const char *label;     /* on screen, at most 15 columns: "Young's modulus" */
     const char *dimension; /* in units of one's own that fit each other: "force/area"; "" for a number */
     const char *unit;      /* SI: "Pa" */
     ParameterType type;
-    size_t offset;              /* of the member in Settings */
+    size_t offset; /* of the member in Settings */
+    size_t size;   /* of a text, in bytes */
+    TextRule rule;
     double least, most;         /* inclusive range */
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */
@@ -63,32 +75,12 @@ typedef struct Parameter {
     double usual;     /* the default, where the problem has no other */
     double neutral;   /* the value at which it does nothing to the run, as if there were no such parameter */
     bool output;      /* about what is written of a run, not about the run */
+    int n_choices;    /* parameter_in() says how many of its choices there are, the first ones, */
+    const char *others; /* and of the others why not: "is for beams" */
 } Parameter;
 
 extern const Parameter parameters[];
 extern const int n_parameters;
-
-/* What a text may be; empty is always allowed. */
-typedef enum TextRule {
-    TEXT_ANY,
-    TEXT_VIEW,       /* a view's digit, 1 to 9, or its word */
-    TEXT_POSITIVE,   /* a number > 0 */
-    TEXT_REFERENCES, /* one of parameter_reference_words */
-    TEXT_SHEET,      /* one of parameter_sheet_words */
-    TEXT_COLOUR      /* one of parameter_colour_words */
-} TextRule;
-
-/* Keys of a scenario file that hold words and are not parameters of the run: title, question, view. */
-typedef struct TextKey {
-    const char *key;
-    size_t offset; /* of the char array in Settings */
-    size_t size;
-    const char *help;
-    TextRule rule;
-} TextKey;
-
-extern const TextKey text_keys[];
-extern const int n_text_keys;
 
 extern const char *const parameter_method_titles[]; /* on screen: "MPM" */
 
@@ -122,12 +114,15 @@ const FixedKey *fixed_key_find(const Settings *, const char *key);
 /* "beam.poisson: is 1/3 here and cannot be set: why". */
 void fixed_key_text(const FixedKey *, char *out, size_t size);
 
-/* The row of a key; NULL: unknown. */
+/* The row of a parameter; NULL: it is none. */
 const Parameter *parameter_find(const char *key);
 
 /* What it is called where no heading stands above it: "notch position" for a word alone, else its label. */
 void parameter_name_alone(const Parameter *, char *out, size_t size);
-const TextKey *text_key_find(const char *key);
+
+/* Likewise of a text key: words of a scenario file that are not parameters of its run, title, question, view.
+ */
+const Parameter *parameter_text_find(const char *key);
 
 /* The key that is meant by its whole, by its end ("cell_size", "modulus") or by the words beside its field on
  * screen ("cell size"), among those that these settings have. False: there are several such, and the status
@@ -136,12 +131,6 @@ bool settings_resolve_key(const Settings *, const char *words, char key[KEY_MAX]
 
 /* The known key of this problem nearest to a wrong one, for "did you mean"; NULL: nothing is near. */
 const char *parameter_nearest(const Problem *problem, const char *key);
-
-/* The unit for this problem: in the bar's consistent units a dimension; "": a number. */
-const char *parameter_unit(const Parameter *, const Problem *);
-
-/* The line of help for this problem. */
-const char *parameter_help(const Parameter *, const Problem *);
 
 /* The nearest of the words that are offered to a wrong one; NULL: none is near. */
 typedef struct Nearest {
@@ -152,17 +141,12 @@ typedef struct Nearest {
 Nearest nearest_begin(const char *wrong);
 void nearest_offer(Nearest *, const char *right);
 
+/* The row as it is in this problem: with the default, help, choices, methods and word for automatic_value
+ * that it has there, and for unit in the bar's consistent units a dimension; "": a number. */
+Parameter parameter_in(const Parameter *, const Problem *);
+
 /* Whether the problem has it, by any method. */
 bool parameter_applies(const Parameter *, const Problem *);
-
-/* The methods that read it in this problem: a mask, or BY_EVERY_METHOD. */
-int parameter_methods(const Parameter *, const Problem *);
-
-/* Its default in this problem. */
-double parameter_usual(const Parameter *, const Problem *);
-
-/* Where the problem overrides its row; NULL: nowhere. */
-const ParameterUse *parameter_use(const Parameter *, const Problem *);
 
 /* Whether it may change in mid-run from one value to another. */
 bool parameter_is_live(const Parameter *, double from, double to);
@@ -216,9 +200,6 @@ bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
 /* The same for a value of rows: places by spacings, numbers up and down the ladder 1, 2, 5. */
 bool settings_row_nudge(Settings *, const RowPlace *, int direction, bool fine);
 
-/* The word that stands for its automatic_value in this problem; NULL: none. */
-const char *parameter_automatic(const Parameter *, const Problem *);
-
 /* What screen.ask names of what there is, in its order, or, where the scenario names none, what its question
  * and the usual ones are. Returns how many. False of the second: a word of the list is not a parameter of the
  * problem and no row of the scenario, or there are too many; the status says which. */
@@ -242,9 +223,6 @@ bool parameter_can_be_asked(const Parameter *, const Problem *);
  * one rung down from the usual one or back to it, of other things the next value is taken. False: there is
  * none. */
 bool settings_answer_otherwise(Settings *, const Parameter *);
-
-/* How many of its choices there are in this problem, the first ones; 0: it has no choices. */
-int parameter_choices(const Parameter *, const Problem *);
 
 /* What is allowed, in words: "> 0", "1 to 8", "usf | usl | musl". */
 void parameter_range(const Parameter *, const Problem *, char *out, size_t size);

@@ -86,13 +86,12 @@ static bool check_twice(const Source *source, Status *status)
 static int choose(const char *const *words, const Entry *entry, Status *status)
 {
     char allowed[128] = "";
-    for (int i = 0; words[i]; i++) {
-        if (strcmp(words[i], entry->value) == 0)
-            return i;
+    const int chosen = text_place_in(entry->value, words);
+    for (int i = 0; words[i]; i++)
         text_or(allowed, sizeof allowed, words[i]);
-    }
-    status_refuse(status, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value, allowed);
-    return -1;
+    if (chosen < 0)
+        status_refuse(status, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value, allowed);
+    return chosen;
 }
 
 static bool begin(const Source *source, Settings *settings, Status *status)
@@ -336,7 +335,7 @@ void scenario_blame(const char *name_or_path, const Override *overrides, int cou
     const size_t length = strcspn(status->text, ":");
     if (length < sizeof key)
         memcpy(key, status->text, length);
-    FILE *stream = parameter_find(key) || text_key_find(key) ? open_scenario(name_or_path, NULL) : NULL;
+    FILE *stream = parameter_find(key) || parameter_text_find(key) ? open_scenario(name_or_path, NULL) : NULL;
     if (!stream)
         return;
     if (!entries_read(&source.entries, stream, name_or_path, NULL) || !find_origin(&source, status))

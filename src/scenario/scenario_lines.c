@@ -65,11 +65,9 @@ bool scenario_looks_like_key(const char *text)
     if (!(n > 0 && text[n + strspn(text + n, " ")] == '='))
         return false;
     /* whether the word is a key, or one without its section */
-    for (int i = 0; i < n_parameters + n_text_keys; i++) {
-        const char *key = i < n_parameters ? parameters[i].key : text_keys[i - n_parameters].key;
-        if (strcmp(key, word) == 0 || strcmp(strchr(key, '.') + 1, word) == 0)
+    for (int i = 0; i < n_parameters; i++)
+        if (strcmp(parameters[i].key, word) == 0 || strcmp(strchr(parameters[i].key, '.') + 1, word) == 0)
             return true;
-    }
     return strcmp(word, "problem") == 0 || strcmp(word, "method") == 0;
 }
 

@@ -100,13 +100,26 @@ static bool is_derived(const Settings *settings, const Parameter *parameter)
            (strcmp(parameter->key, "contact.gap") == 0 && !settings_contact(settings)->gap_given);
 }
 
+static const char *text_of(const Settings *settings, const Parameter *parameter)
+{
+    return (const char *)settings + parameter->offset;
+}
+
+/* Problem and method are in every file, and so is a title that is empty. */
+static bool is_of_method(const Parameter *parameter)
+{
+    return parameter->offset == offsetof(Settings, method);
+}
+
 static bool write_parameter(FILE *stream, const Settings *settings, const Parameter *parameter,
                             const char *section, const char *name, Status *status)
 {
     char value[LIST_MAX];
-    settings_get(settings, parameter, value);
     if (parameter->type == PARAMETER_TEXT)
-        return write_text(stream, section, name, value, status);
+        return write_text(stream, section, name, text_of(settings, parameter), status);
+    if (is_of_method(parameter))
+        fprintf(stream, "problem = %s\n", settings->problem->word);
+    settings_get(settings, parameter, value);
     if (is_derived(settings, parameter)) {
         fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
         return true;
@@ -115,21 +128,18 @@ static bool write_parameter(FILE *stream, const Settings *settings, const Parame
     return true;
 }
 
+static bool is_written(const Settings *settings, const Parameter *parameter)
+{
+    return parameter->concern == CONCERN_NONE
+               ? *text_of(settings, parameter) || parameter->offset == offsetof(Settings, title)
+               : is_of_method(parameter) || parameter_applies_to(settings, parameter);
+}
+
 static bool write_section(FILE *stream, const Settings *settings, const char *section, Status *status)
 {
-    for (int i = 0; i < n_text_keys; i++) {
-        const char *name = name_in(text_keys[i].key, section);
-        const char *text = (const char *)settings + text_keys[i].offset;
-        if (name && (*text || strcmp(name, "title") == 0) && !write_text(stream, section, name, text, status))
-            return false;
-    }
-    if (strcmp(section, "scenario") == 0)
-        fprintf(stream, "problem = %s\nmethod = %s\n", settings->problem->word,
-                settings_method_words[settings->method]);
     for (int i = 0; i < n_parameters; i++) {
         const char *name = name_in(parameters[i].key, section);
-        if (name && parameter_applies_to(settings, &parameters[i]) &&
-            parameters[i].offset != offsetof(Settings, method) && /* stands above, for beams too */
+        if (name && is_written(settings, &parameters[i]) &&
             !write_parameter(stream, settings, &parameters[i], section, name, status))
             return false;
     }
@@ -168,16 +178,11 @@ static bool has_section(const Settings *settings, const char *section)
         return settings->n_duel > 0;
     if (strcmp(section, "changes") == 0)
         return settings->n_changes > 0;
-    if (strcmp(section, "scenario") == 0)
-        return true;
     const int kind = row_kind_find(section);
     if (kind >= 0 && settings->rows[kind].count > 0)
         return true;
-    for (int i = 0; i < n_text_keys; i++)
-        if (name_in(text_keys[i].key, section) && *((const char *)settings + text_keys[i].offset))
-            return true;
     for (int i = 0; i < n_parameters; i++)
-        if (name_in(parameters[i].key, section) && parameter_applies_to(settings, &parameters[i]))
+        if (name_in(parameters[i].key, section) && is_written(settings, &parameters[i]))
             return true;
     return false;
 }
@@ -212,15 +217,6 @@ bool scenario_write(FILE *stream, const Settings *settings, const char *comment,
 
 /* --- what was changed ------------------------------------------------------------------------------- */
 
-/* The text of a row; false: there is none of that name. */
-static bool get_row(const Settings *settings, int kind, const char *name, char text[ROW_TEXT_MAX])
-{
-    const int row = settings_row_find(settings, kind, name);
-    if (row >= 0)
-        settings_row_get(settings, kind, row, text);
-    return row >= 0;
-}
-
 static void take_row(const char *section, const char *name, const char *value, AssignmentTaker *take,
                      void *context)
 {
@@ -229,32 +225,27 @@ static void take_row(const char *section, const char *name, const char *value, A
     take(context, key, value);
 }
 
-static void compare_rows(const Settings *from, const Settings *to, int kind, AssignmentTaker *take,
-                         void *context)
+static void compare_rows(const Settings *from, const Settings *to, AssignmentTaker *take, void *context)
 {
-    const RowKind *what = &row_kinds[kind];
-    char before[ROW_TEXT_MAX], text[ROW_TEXT_MAX], word[ROW_TEXT_MAX];
-    for (int row = 0; row < to->rows[kind].count; row++) {
-        const char *name = to->rows[kind].rows[row].name, *rest = text;
-        settings_row_get(to, kind, row, text);
-        if (get_row(from, kind, name, before) && strcmp(before, text) == 0)
-            continue;
-        if (!what->usual)
-            take_row(what->section, name, text, take, context);
+    RowDifference row;
+    for (int i = 0; settings_rows_difference(to, from, i, &row); i++) {
+        const RowKind *kind = &row_kinds[row.kind];
+        char text[ROW_TEXT_MAX] = "none", word[ROW_TEXT_MAX];
+        const char *rest = text;
+        if (row.in_a)
+            row_write(kind, row.in_a, 0, text);
+        if (!kind->usual)
+            take_row(kind->section, (row.in_a ? row.in_a : row.in_b)->name, text, take, context);
         else
-            for (int i = 0; text_next_word(&rest, word, sizeof word); i++)
-                take_row(what->section, what->columns[i].word, word, take, context);
+            for (int k = 0; text_next_word(&rest, word, sizeof word); k++)
+                take_row(kind->section, kind->columns[k].word, word, take, context);
     }
-    for (int row = 0; row < from->rows[kind].count; row++)
-        if (!get_row(to, kind, from->rows[kind].rows[row].name, text))
-            take_row(what->section, from->rows[kind].rows[row].name, "none", take, context);
 }
 
 static bool is_changed(const Settings *from, const Settings *to, const Parameter *parameter)
 {
-    return !parameter->output && parameter->offset != offsetof(Settings, method) &&
-           parameter_applies_to(to, parameter) && !is_derived(to, parameter) &&
-           !(parameter->wrong && to->concealed) &&
+    return !parameter->output && !is_of_method(parameter) && parameter_applies_to(to, parameter) &&
+           !is_derived(to, parameter) && !(parameter->wrong && to->concealed) &&
            (settings_differ(from, to, parameter) || is_derived(from, parameter));
 }
 
@@ -276,8 +267,6 @@ bool scenario_assignments(const char *name_or_path, const Settings *to, Assignme
             settings_get(to, &parameters[i], value);
             take(context, parameters[i].key, value);
         }
-    for (int kind = 0; kind < ROW_KINDS; kind++)
-        if (settings_have_rows(to, kind))
-            compare_rows(&from, to, kind, take, context);
+    compare_rows(&from, to, take, context);
     return true;
 }

@@ -70,13 +70,14 @@ static bool check_stated(const Settings *settings, Status *status)
         if (!parameter->stated || !parameter_applies(parameter, problem) ||
             parameter_applies_to(settings, parameter) || !settings_are_at_work(settings, parameter) ||
             (parameter->type != PARAMETER_TEXT &&
-             settings_number(settings, parameter) == parameter_usual(parameter, problem)))
+             settings_number(settings, parameter) == parameter_in(parameter, problem).usual))
             continue;
         settings_get(settings, parameter, text);
         return status_refuse(
             status, "scenario.method: %s does not know %s, which is %s here (%s)",
             settings_method_words[settings->method], parameter->key, text,
-            settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
+            settings_method_words[parameter_in(parameter, problem).methods & BY_MPM ? METHOD_MPM
+                                                                                    : METHOD_PD]);
     }
     return true;
 }
@@ -232,15 +233,9 @@ bool settings_resolve_key(const Settings *settings, const char *words, char key[
     int count = 0;
     for (Call call = CALL_WHOLE; call < CALLS && count == 0; call++) {
         for (int i = 0; i < n_parameters; i++)
-            if (parameter_applies_to(settings, &parameters[i]) &&
+            if ((parameters[i].concern == CONCERN_NONE || parameter_applies_to(settings, &parameters[i])) &&
                 is_called(parameters[i].key, parameters[i].label, words, call)) {
                 found = parameters[i].key;
-                text_list_add(list, sizeof list, found);
-                count++;
-            }
-        for (int i = 0; i < n_text_keys; i++)
-            if (is_called(text_keys[i].key, NULL, words, call)) {
-                found = text_keys[i].key;
                 text_list_add(list, sizeof list, found);
                 count++;
             }
@@ -315,20 +310,20 @@ bool settings_differ_beyond(const Settings *a, const Settings *b, const char (*a
             return snprintf(key, KEY_MAX, "%s", parameters[i].key) > 0;
     }
     char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
+    RowDifference row;
     for (int k = 0; k < n_allowed; k++)
         rows_may = rows_may || settings_row_is_key(a, allowed[k]);
-    return !rows_may && settings_rows_difference(a, b, 0, about, in_a, in_b) &&
-           snprintf(key, KEY_MAX, "%s", about) > 0;
+    if (rows_may || !settings_rows_difference(a, b, 0, &row))
+        return false;
+    row_difference_show(&row, about, in_a, in_b);
+    return snprintf(key, KEY_MAX, "%s", about) > 0;
 }
 
 /* Those whose values are known by themselves. */
 static bool is_name(const Parameter *parameter)
 {
-    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "scenario.method"};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        if (strcmp(parameter->key, keys[i]) == 0)
-            return true;
-    return false;
+    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "scenario.method", NULL};
+    return text_place_in(parameter->key, keys) >= 0;
 }
 
 void settings_spell(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
@@ -360,8 +355,10 @@ static bool name_values(const Settings *a, const Settings *b, bool change, char 
         room = text_list_add(out, size, item);
     }
     char about[64], own[ROW_TEXT_MAX], other[ROW_TEXT_MAX];
-    for (int i = 0; room && settings_rows_difference(a, b, i, about, own, other); i++) {
+    RowDifference row;
+    for (int i = 0; room && settings_rows_difference(a, b, i, &row); i++) {
         char item[2 * ROW_TEXT_MAX + 72];
+        row_difference_show(&row, about, own, other);
         snprintf(item, sizeof item, "%s %s%s%s", about, own, change ? " -> " : "", change ? other : "");
         room = text_list_add(out, size, item);
     }

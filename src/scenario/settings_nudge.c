@@ -98,12 +98,12 @@ static double nudged_finely(const Settings *settings, const Parameter *parameter
         return next_place(settings, value, 0.1 * direction);
     if (parameter->nudge == NUDGE_WIDE)
         return next_place(settings, value, direction);
-    return next_digit(value, direction, parameter_usual(parameter, settings->problem));
+    return next_digit(value, direction, parameter_in(parameter, settings->problem).usual);
 }
 
 static double nudged(const Settings *settings, const Parameter *parameter, double value, int direction)
 {
-    double usual = parameter_usual(parameter, settings->problem);
+    double usual = parameter_in(parameter, settings->problem).usual;
     int n = 0;
     switch (parameter->nudge) {
     case NUDGE_ONE:
@@ -128,7 +128,7 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
     case NUDGE_WIDE:
         return next_place(settings, value, direction * wide_step(settings));
     case NUDGE_NEXT:
-        n = parameter_choices(parameter, settings->problem);
+        n = parameter_in(parameter, settings->problem).n_choices;
         return (int)(value + direction + n) % n;
     case NUDGE_NONE:
         break;
@@ -205,7 +205,7 @@ bool settings_row_nudge(Settings *settings, const RowPlace *place, int direction
 /* A size: one rung below the usual one and, from anywhere else, back to it. */
 static bool answer_by_size(Settings *settings, const Parameter *parameter)
 {
-    const double usual = parameter_usual(parameter, settings->problem);
+    const double usual = parameter_in(parameter, settings->problem).usual;
     if (settings_number(settings, parameter) == usual)
         return settings_nudge(settings, parameter, -1, false);
     Settings candidate = *settings;
@@ -221,8 +221,9 @@ bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
     char now[LIST_MAX];
     if (parameter_is_size(parameter))
         return answer_by_size(settings, parameter);
-    for (int i = 0; i < parameter_choices(parameter, settings->problem); i++) {
-        const char *usual = parameter->choices[(int)parameter_usual(parameter, settings->problem)];
+    const Parameter row = parameter_in(parameter, settings->problem);
+    for (int i = 0; i < row.n_choices; i++) {
+        const char *usual = row.choices[(int)row.usual];
         if (strcmp(parameter->choices[i], "none") != 0 || strcmp(usual, "none") == 0)
             continue;
         settings_get(settings, parameter, now);

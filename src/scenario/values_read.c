@@ -16,7 +16,7 @@
 bool settings_in_range(const Parameter *parameter, const Problem *problem, double value)
 {
     if (parameter->choices ||
-        (parameter_automatic(parameter, problem) && value == parameter->automatic_value))
+        (parameter_in(parameter, problem).automatic && value == parameter->automatic_value))
         return true;
     if (parameter->above_least && value <= parameter->least)
         return false;
@@ -36,7 +36,7 @@ static bool refuse(const Parameter *parameter, const Problem *problem, const cha
 static bool read_number(const Parameter *parameter, const Problem *problem, const char *text, double *value,
                         Status *status)
 {
-    const char *automatic = parameter_automatic(parameter, problem);
+    const char *automatic = parameter_in(parameter, problem).automatic;
     if (automatic && strcmp(text, automatic) == 0) {
         *value = parameter->automatic_value;
         return true;
@@ -58,26 +58,24 @@ static bool read_number(const Parameter *parameter, const Problem *problem, cons
 static bool read_choice(const Parameter *parameter, const Problem *problem, const char *text, double *value,
                         Status *status)
 {
-    for (int i = 0; i < parameter_choices(parameter, problem); i++)
-        if (strcmp(parameter->choices[i], text) == 0) {
-            *value = i;
-            return true;
-        }
-    for (int i = parameter_choices(parameter, problem); parameter->choices[i]; i++)
-        if (strcmp(parameter->choices[i], text) == 0)
-            return refuse(parameter, problem, text, parameter_use(parameter, problem)->others, status);
-    return refuse(parameter, problem, text, "is not a choice", status);
+    const Parameter row = parameter_in(parameter, problem);
+    const int choice = text_place_in(text, row.choices);
+    *value = choice;
+    return (choice >= 0 && choice < row.n_choices) ||
+           refuse(parameter, problem, text, choice < 0 ? "is not a choice" : row.others, status);
 }
 
-static bool put_text(Settings *settings, const char *key, size_t offset, size_t size, const char *text,
-                     Status *status)
+static bool put_text(Settings *settings, const Parameter *parameter, const char *text, Status *status)
 {
-    if (strlen(text) >= size)
-        return status_refuse(status, "%s: is %zu bytes long (at most %zu)", key, strlen(text), size - 1);
+    if (strlen(text) >= parameter->size)
+        return status_refuse(status, "%s: is %zu bytes long (at most %zu)", parameter->key, strlen(text),
+                             parameter->size - 1);
     if (!visible_is_clean(text))
-        return status_refuse(status, "%s: has characters that cannot be kept (one line of UTF-8)", key);
-    char *at = (char *)settings + offset;
-    memset(at, 0, size); /* nothing of an earlier text behind the zero: equal settings are equal bytes */
+        return status_refuse(status, "%s: has characters that cannot be kept (one line of UTF-8)",
+                             parameter->key);
+    char *at = (char *)settings + parameter->offset;
+    memset(at, 0,
+           parameter->size); /* nothing of an earlier text behind the zero: equal settings are equal bytes */
     strcpy(at, text);
     return true;
 }
@@ -107,7 +105,8 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
         return status_refuse(
             status, "%s: is not a parameter of method %s (only of %s)", parameter->key,
             settings_method_words[settings->method],
-            settings_method_words[parameter_methods(parameter, problem) & BY_MPM ? METHOD_MPM : METHOD_PD]);
+            settings_method_words[parameter_in(parameter, problem).methods & BY_MPM ? METHOD_MPM
+                                                                                    : METHOD_PD]);
     char words[128];
     size_t used = 0;
     for (int p = 0; problems[p]; p++)
@@ -130,7 +129,7 @@ static bool can_be_view(const char *text)
 }
 
 /* Empty is always allowed: as the laboratory likes. */
-static bool check_words(const Settings *settings, const TextKey *key, const char *text, Status *status)
+static bool check_words(const Settings *settings, const Parameter *key, const char *text, Status *status)
 {
     const char *const *words = key->rule == TEXT_REFERENCES ? parameter_reference_words
                                : key->rule == TEXT_SHEET    ? parameter_sheet_words
@@ -158,10 +157,9 @@ static bool check_words(const Settings *settings, const TextKey *key, const char
 
 bool settings_set(Settings *settings, const char *key, const char *text, Status *status)
 {
-    const TextKey *words = text_key_find(key);
+    const Parameter *words = parameter_text_find(key);
     if (words)
-        return check_words(settings, words, text, status) &&
-               put_text(settings, key, words->offset, words->size, text, status);
+        return check_words(settings, words, text, status) && put_text(settings, words, text, status);
     /* a support of a plate may be called as a parameter of another problem is */
     if (settings_row_is_key(settings, key))
         return settings_row_key_set(settings, key, text, status);
@@ -177,7 +175,7 @@ bool settings_set(Settings *settings, const char *key, const char *text, Status 
     if (!parameter_applies_to(settings, parameter))
         return not_of_settings(parameter, settings, status);
     if (parameter->type == PARAMETER_TEXT)
-        return put_text(settings, key, parameter->offset, LIST_MAX, text, status);
+        return put_text(settings, parameter, text, status);
     double value;
     const bool concealed = parameter->wrong && *text == '?';
     text += concealed;

@@ -104,7 +104,7 @@ static void any_value(const Parameter *parameter, char *out, size_t size)
         snprintf(out, size, "%s", PICK(odd));
     else if (parameter->choices)
         snprintf(out, size, "%s",
-                 parameter->choices[below(parameter_choices(parameter, &problem_supported_beam))]);
+                 parameter->choices[below(parameter_in(parameter, &problem_supported_beam).n_choices)]);
     else if (parameter->type == PARAMETER_TEXT)
         snprintf(out, size, "%s", PICK(texts));
     else if (kind < 25)
@@ -122,7 +122,7 @@ static void any_value(const Parameter *parameter, char *out, size_t size)
         for (int tries = 0; tries < 32 && isnan(about); tries++) {
             const Problem *problem = problems[below(n_problems)];
             if (parameter_applies(parameter, problem))
-                about = parameter_usual(parameter, problem);
+                about = parameter_in(parameter, problem).usual;
         }
         snprintf(out, size, "%.6g", (about == 0 || isnan(about) ? 1 : about) * PICK(factors));
     }

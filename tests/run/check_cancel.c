@@ -80,7 +80,7 @@ START_TEST(no_value_makes_the_building_deaf)
                     continue;
                 expect_answer(problems[p], solver->method, one, one->least);
                 expect_answer(problems[p], solver->method, one, one->most);
-                const double usual = parameter_usual(one, problems[p]), scale = usual != 0 ? usual : 1;
+                const double usual = parameter_in(one, problems[p]).usual, scale = usual != 0 ? usual : 1;
                 for (size_t k = 0; one->type == PARAMETER_REAL && k < sizeof factors / sizeof *factors; k++)
                     expect_answer(problems[p], solver->method, one, scale * factors[k]);
             }

@@ -58,14 +58,11 @@ static void row_of(const SweepTable *table, int combination, double row[TABLE_CO
 
 static const char *word_of(const Parameter *parameter, const Problem *problem, double value)
 {
-    static const char *const flags[] = {"no", "yes"};
     if (!parameter)
         return NULL;
-    if (parameter->type == PARAMETER_CHOICE)
-        return parameter->choices[(int)value];
-    if (parameter->type == PARAMETER_FLAG)
-        return flags[value != 0];
-    return value == parameter->automatic_value ? parameter_automatic(parameter, problem) : NULL;
+    return parameter->choices                    ? parameter->choices[(int)value]
+           : value == parameter->automatic_value ? parameter_in(parameter, problem).automatic
+                                                 : NULL;
 }
 
 static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
@@ -150,14 +147,12 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
                 column ? column->word : "value");
         return;
     }
-    const char *unit = parameter_unit(parameter, table->problem);
-    fprintf(stream, "%s [%s]: %s", key->key, unit && *unit ? unit : "1",
-            parameter_help(parameter, table->problem));
+    const Parameter row = parameter_in(parameter, table->problem);
+    fprintf(stream, "%s [%s]: %s", key->key, *row.unit ? row.unit : "1", row.help);
     if (parameter->type == PARAMETER_FLAG)
         fputs(" (0 = no, 1 = yes)", stream);
-    else if (parameter_automatic(parameter, table->problem))
-        fprintf(stream, parameter->automatic_value < 0 ? " (or %s)" : " (0 = %s)",
-                parameter_automatic(parameter, table->problem));
+    else if (row.automatic)
+        fprintf(stream, row.automatic_value < 0 ? " (or %s)" : " (0 = %s)", row.automatic);
     for (int i = 0; parameter->type == PARAMETER_CHOICE && parameter->choices[i]; i++)
         fprintf(stream, "%s%d = %s%s", i ? ", " : " (", i, parameter->choices[i],
                 parameter->choices[i + 1] ? "" : ")");

@@ -89,7 +89,7 @@ static bool has_a_number(const SweepKey *key, Status *status)
 {
     const RowColumn *of_row = row_key_column(key->key);
     const bool edge = of_row && of_row->value == ROW_EDGE;
-    if (key->parameter ? key->parameter->type == PARAMETER_TEXT : edge || text_key_find(key->key))
+    if (key->parameter ? key->parameter->type == PARAMETER_TEXT : edge || parameter_text_find(key->key))
         return status_refuse(status, "%s: %s: is a text (numbers and choices can be varied)", key->origin,
                              key->key);
     return strncmp(key->key, "output.", 7) != 0 ||

@@ -99,20 +99,15 @@ static void offer_values(Completion *completion, const Settings *settings, const
         settings_resolve_key(settings, name, whole, NULL) ? parameter_find(whole) : NULL;
     if (!parameter)
         return;
-    for (int i = 0; parameter->type == PARAMETER_CHOICE && i < parameter_choices(parameter, problem); i++)
-        offer(completion, parameter->choices[i], "");
-    if (parameter->type == PARAMETER_FLAG) {
-        offer(completion, "yes", "");
-        offer(completion, "no", "");
-    }
-    const char *automatic = parameter_automatic(parameter, problem);
-    if (automatic && *completion->start)
-        offer(completion, automatic, "");
+    const Parameter row = parameter_in(parameter, problem);
+    for (int i = 0; i < row.n_choices; i++)
+        offer(completion, row.choices[i], "");
+    if (row.automatic && *completion->start)
+        offer(completion, row.automatic, "");
     if (completion->found == 0) {
         char range[96];
         parameter_range(parameter, problem, range, sizeof range);
-        snprintf(completion->list, sizeof completion->list, "%s: %s", range,
-                 parameter_help(parameter, problem));
+        snprintf(completion->list, sizeof completion->list, "%s: %s", range, row.help);
     }
 }
 

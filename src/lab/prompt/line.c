@@ -65,7 +65,7 @@ static bool means_key(const Laboratory *lab, const char *words, size_t length)
     char called[KEY_MAX], key[KEY_MAX];
     snprintf(called, sizeof called, "%.*s", (int)length, words);
     return length < sizeof called && (!settings_resolve_key(laboratory_settings(lab), called, key, NULL) ||
-                                      parameter_find(key) || text_key_find(key));
+                                      parameter_find(key) || parameter_text_find(key));
 }
 
 /* The bytes of the key before a value: all before '=', which may be a label's words, or else as many words

@@ -291,7 +291,7 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
         if (!parameter_applies_to(settings, parameter) || strncmp(parameter->key, "output.", 7) == 0)
             continue;
         settings_show(settings, parameter, value);
-        const char *unit = settings->problem->si ? parameter_unit(parameter, settings->problem) : "";
+        const char *unit = settings->problem->si ? parameter_in(parameter, settings->problem).unit : "";
         if (!value[0] || strcmp(value, "-") == 0)
             continue;
         const bool more = strcmp(group, parameter->group) == 0;

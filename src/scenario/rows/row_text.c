@@ -25,14 +25,6 @@ const char *const *row_words(RowValue value)
     return value == ROW_EDGE ? row_edge_words : value == ROW_SHAPE ? row_shape_words : NULL;
 }
 
-static int index_of(const char *const *words, const char *word)
-{
-    for (int i = 0; words && words[i]; i++)
-        if (strcmp(words[i], word) == 0)
-            return i;
-    return -1;
-}
-
 bool row_has(const RowKind *kind, const Row *row, int column)
 {
     const unsigned of = kind->columns[column].of;
@@ -63,7 +55,7 @@ static bool goes_with(const RowKind *kind, const char *last, const char *word)
     const bool unit =
         *word == '%' || (has_units && (isalpha((unsigned char)*word) || (unsigned char)*word >= 0x80));
     const char end = last[strlen(last) - 1];
-    return unit && option_of(kind, word) < 0 && index_of(row_words(kind->columns[0].value), word) < 0 &&
+    return unit && option_of(kind, word) < 0 && text_place_in(word, row_words(kind->columns[0].value)) < 0 &&
            (isdigit((unsigned char)end) || end == '.' || end == ')') &&
            strlen(last) + strlen(word) < WORD_MAX;
 }
@@ -140,7 +132,7 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
     double value = 0;
     if (words) {
         char allowed[64] = "";
-        value = index_of(words, word);
+        value = text_place_in(word, words);
         for (int i = 0; words[i]; i++)
             text_append(allowed, sizeof allowed, "%s%s",
                         i == 0         ? ""

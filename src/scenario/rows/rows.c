@@ -462,12 +462,6 @@ bool settings_rows_check(const Settings *settings, Status *status)
 
 /* --- differences ---------------------------------------------------------------------------------- */
 
-bool settings_rows_same(const Settings *a, const Settings *b)
-{
-    char about[64], in_a[ROW_TEXT_MAX], in_b[ROW_TEXT_MAX];
-    return !settings_rows_difference(a, b, 0, about, in_a, in_b);
-}
-
 static void write_side(const RowKind *kind, const Row *row, const Row *other, char out[ROW_TEXT_MAX])
 {
     if (!row)
@@ -484,24 +478,33 @@ static const Row *row_of(const Settings *settings, int kind, const char *name)
     return at < 0 ? NULL : &settings->rows[kind].rows[at];
 }
 
-bool settings_rows_difference(const Settings *a, const Settings *b, int which, char about[64],
-                              char in_a[ROW_TEXT_MAX], char in_b[ROW_TEXT_MAX])
+bool settings_rows_difference(const Settings *a, const Settings *b, int which, RowDifference *out)
 {
     ASSERT_INT(which, >=, 0);
-    for (int kind = 0; kind < ROW_KINDS; kind++) {
-        const RowKind *what = &row_kinds[kind];
+    for (int kind = 0; kind < ROW_KINDS; kind++)
         /* those of `a`, then those that `b` alone has */
         for (int i = 0; i < a->rows[kind].count + b->rows[kind].count; i++) {
             const int of_b = i - a->rows[kind].count;
             const char *name = of_b < 0 ? a->rows[kind].rows[i].name : b->rows[kind].rows[of_b].name;
-            const Row *one = row_of(a, kind, name), *other = row_of(b, kind, name);
-            if ((of_b >= 0 && one) || (one && other && row_same(what, one, other)) || which-- > 0)
-                continue;
-            snprintf(about, 64, "%s%s%s", what->one, *name ? " " : "", name);
-            write_side(what, one, other, in_a);
-            write_side(what, other, one, in_b);
-            return true;
+            *out = (RowDifference){kind, row_of(a, kind, name), row_of(b, kind, name)};
+            const bool same = out->in_a && out->in_b && row_same(&row_kinds[kind], out->in_a, out->in_b);
+            if (!(of_b >= 0 && out->in_a) && !same && which-- == 0)
+                return true;
         }
-    }
     return false;
+}
+
+bool settings_rows_same(const Settings *a, const Settings *b)
+{
+    return !settings_rows_difference(a, b, 0, &(RowDifference){0});
+}
+
+void row_difference_show(const RowDifference *row, char about[64], char in_a[ROW_TEXT_MAX],
+                         char in_b[ROW_TEXT_MAX])
+{
+    const RowKind *kind = &row_kinds[row->kind];
+    const char *name = (row->in_a ? row->in_a : row->in_b)->name;
+    snprintf(about, 64, "%s%s%s", kind->one, *name ? " " : "", name);
+    write_side(kind, row->in_a, row->in_b, in_a);
+    write_side(kind, row->in_b, row->in_a, in_b);
 }

@@ -171,10 +171,18 @@ bool settings_rows_check(const Settings *, Status *);
 /* Whether two settings of one problem have the same rows. */
 bool settings_rows_same(const Settings *a, const Settings *b);
 
-/* Difference number `which`: what it is about ("load top"), and what it is in `a` and in `b`: what differs of
- * the row ("sy 7e6"), its text, or "none". False: there are no more. */
-bool settings_rows_difference(const Settings *a, const Settings *b, int which, char about[64],
-                              char in_a[ROW_TEXT_MAX], char in_b[ROW_TEXT_MAX]);
+typedef struct RowDifference {
+    int kind;
+    const Row *in_a, *in_b; /* NULL: there is none of that name */
+} RowDifference;
+
+/* Difference number `which`, those of the rows of `a` first. False: there are no more. */
+bool settings_rows_difference(const Settings *a, const Settings *b, int which, RowDifference *);
+
+/* What it is about ("load top"), and what it is in `a` and in `b`: what differs of the row ("sy 7e6"), its
+ * text, or "none". */
+void row_difference_show(const RowDifference *, char about[64], char in_a[ROW_TEXT_MAX],
+                         char in_b[ROW_TEXT_MAX]);
 
 /* The line of one row; for the files of this folder. `about` is the row's key, for messages. */
 
