@@ -7,7 +7,6 @@
 #include "answers/dispersion_curves.h"
 #include "answers/step_modes.h"
 #include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
 #include "scenario/assignment.h"
 #include "theory/elastic_bar.h"
@@ -115,7 +114,6 @@ double bar_invariant(Simulation *, const Settings *);
 bool bar_invariant_kept(const Settings *);
 
 /* Whether the mesh makes sense, and the time that it takes steps for. */
-bool bar_check_mesh(const Settings *, Status *);
 
 /* Start, question and loads as far as they are the same by both; `particles` in the bar. */
 bool bar_check_modes(const Settings *, double particles, Status *);
@@ -139,9 +137,6 @@ void bar_derived_wave(Derived out[DERIVED_MAX], int *n, const Settings *, const 
 
 /* The bar with its modes and loads. False: its overtones cannot be read. */
 bool bar_theory_of(const Settings *, BarTheory *, Status *);
-
-/* The bar as its engine by the material point method wants it, at rest. */
-BarDef bar_mpm_definition(const Settings *);
 
 /* The same bar on a lattice of bonded nodes. */
 BeamDef bar_pd_definition(const Settings *);

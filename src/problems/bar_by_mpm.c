@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by the material point method: settings to simulation, exact and predicted answers beside. */
-#include "base/cancel.h"
 #include "base/assertion.h"
-#include "base/text.h"
 #include "answers/bar_answers.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
 #include "theory/bar_waves.h"
 #include "theory/oscillation.h"
@@ -50,44 +47,6 @@ static BarMesh bar_mesh_of(const Settings *settings, double dt)
                      .dt = dt};
 }
 
-BarDef bar_mpm_definition(const Settings *settings)
-{
-    return (BarDef){
-        .length = settings_geometry(settings)->length,
-        .youngs_modulus = settings_material(settings)->youngs_modulus,
-        .density = settings_material(settings)->density,
-        .supports = settings_supports(settings)->ends,
-        .joint = settings_joint(settings)->place,
-        .joint_modulus = settings_joint(settings)->beyond.youngs_modulus,
-        .joint_density = settings_joint(settings)->beyond.density,
-        .cell_size = settings_mesh(settings)->cell_size,
-        .particles_per_cell = settings_mesh(settings)->particles_per_cell,
-        .offset = settings_start(settings)->offset,
-        .padding = settings_mesh(settings)->padding,
-        .body_force = settings_loads(settings)->body_force,
-        .traction = settings_loads(settings)->traction,
-        .traction_layer = settings_loads(settings)->traction_layer,
-        .algorithm = settings_transfer(settings)->algorithm,
-        .shape = settings_transfer(settings)->shape,
-        .transfer = settings_transfer(settings)->transfer,
-        .flip_fraction = settings_transfer(settings)->flip_fraction,
-        .mass_blend = settings_transfer(settings)->mass_blend,
-        .fmpm_order = settings_transfer(settings)->fmpm_order,
-        .mistake = settings_transfer(settings)->mistake,
-        .conceals_mistake = settings->concealed,
-        .mistake_beside = settings_transfer(settings)->mistake_beside,
-        .courant = settings_time(settings)->courant,
-        .cancel = settings->cancel,
-    };
-}
-
-bool bar_check_mesh(const Settings *settings, Status *status)
-{
-    const BarDef def = bar_mpm_definition(settings);
-    return bar_check(&def, status) &&
-           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
-}
-
 /* A pulse off the bar, or wider than it, has no front whose way could be measured. */
 static bool check_pulse(const Settings *settings, double length, Status *status)
 {
@@ -102,43 +61,40 @@ static bool check_pulse(const Settings *settings, double length, Status *status)
 
 static bool check(const Settings *settings, Status *status)
 {
-    const BarDef bar = bar_mpm_definition(settings);
-    const double cells = round(bar.length / bar.cell_size);
-    return bar_check(&bar, status) && check_pulse(settings, bar.length, status) &&
-           bar_check_modes(settings, cells * bar.particles_per_cell, status) &&
-           problem_check_steps(settings_time(settings)->end, bar_time_step(settings), status);
+    const double length = settings_geometry(settings)->length;
+    const double cells = round(length / settings_mesh(settings)->cell_size);
+    return mpm_check_settings(settings, status) && check_pulse(settings, length, status) &&
+           bar_check_modes(settings, cells * settings_mesh(settings)->particles_per_cell, status);
 }
 
 /* The bar with the start of a theory, which lives as long as the call takes. */
-static Simulation *create(BarDef def, const Settings *settings, const BarTheory *theory, Status *status)
+static Simulation *create(MpmDef def, const Settings *settings, const BarTheory *theory, Status *status)
 {
     def.initial_velocity = bar_start;
     def.initial_slope = settings_transfer(settings)->affine_start == AFFINE_GRADIENT ? bar_start_slope : NULL;
     def.initial_stress = theory->pulse.velocity != 0 ? bar_start_stress : NULL;
     def.initial_context = theory;
-    return bar_create(&def, status);
+    return mpm_create(&def, status);
 }
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
-    (void)threads; /* a bar is too small to be shared */
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
     if (bar_mistake_starts_as_held(settings_transfer(settings)->mistake) ||
         bar_mistake_starts_as_held(settings_transfer(settings)->mistake_beside))
         theory.right_fixed = theory.left_fixed;
-    return create(bar_mpm_definition(settings), settings, &theory, status);
+    return create(mpm_definition(settings, threads), settings, &theory, status);
 }
 
 /* --- what the step predicts ----------------------------------------------------------------------- */
 
 /* Of a right code, without loads. More than two cells beyond the ends change no shape function that the bar
  * touches. */
-static BarDef right_definition(const Settings *settings)
+static MpmDef right_definition(const Settings *settings)
 {
-    BarDef def = bar_mpm_definition(settings);
-    def.mistake = def.mistake_beside = 0;
+    MpmDef def = mpm_right_definition(settings);
     def.body_force = def.traction = 0;
     def.padding = def.padding < 2 ? def.padding : 2;
     def.cancel = (Cancel){0}; /* the steps ask */
@@ -170,7 +126,7 @@ static StepMode step_mode(const Settings *settings, const BarTheory *theory, int
 static double largest_courant(const Settings *settings)
 {
     enum { CELLS_MOST = 32 };
-    BarDef def = right_definition(settings);
+    MpmDef def = right_definition(settings);
     const double cells = round(def.length / def.cell_size), at = round(def.joint / def.cell_size);
     const double half = CELLS_MOST / 2;
     const BarMesh mesh = bar_mesh_of(settings, bar_time_step(settings));
@@ -180,9 +136,9 @@ static double largest_courant(const Settings *settings)
         def.joint = def.cell_size * (at < half ? at : cells - at < half ? CELLS_MOST - (cells - at) : half);
     }
     def.courant = 1;
-    Simulation *moving = bar_create(&def, NULL);
+    Simulation *moving = mpm_create(&def, NULL);
     def.courant = 0x1p-60;
-    Simulation *still = bar_create(&def, NULL);
+    Simulation *still = mpm_create(&def, NULL);
     const double limit =
         still && moving ? step_modes_limit(still, moving, settings->cancel) / moving->dt : NAN;
     simulation_destroy(still);
@@ -292,7 +248,7 @@ static bool passes_node(const BarTheory *theory, const Settings *settings, doubl
 
 static bool advice(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const BarDef def = bar_mpm_definition(settings);
+    const MpmDef def = mpm_definition(settings, 1);
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return false;

@@ -8,7 +8,6 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "theory/pd_waves.h"
@@ -57,10 +56,10 @@ static BeamDef right_definition(const Settings *settings)
 static bool check(const Settings *settings, Status *status)
 {
     /* the mesh is checked too: the nodes lie where its particles would, and its cells make the time step */
-    BarDef mesh = bar_mpm_definition(settings);
+    MpmDef mesh = mpm_definition(settings, 1);
     mesh.mistake_beside = 0; /* it is one of bonds */
     const BeamDef def = bar_pd_definition(settings);
-    return bar_check(&mesh, status) && beam_check(&def, status) &&
+    return mpm_check(&mesh, status) && beam_check(&def, status) &&
            bar_check_modes(settings, round(def.length / def.spacing), status) &&
            problem_check_steps(settings_time(settings)->end, def.dt, status);
 }

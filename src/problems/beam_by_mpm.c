@@ -1,75 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beams by the material point method: settings to simulation, derived numbers, the largest step, answers. */
+/* Beams by the material point method: derived numbers, the largest step, answers. */
 #include "answers/beam_answers.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
-#include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/solver.h"
-#include "methods/mpm/plane.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-/* --- settings to simulation ----------------------------------------------------------------------- */
-
-static PlaneDef definition(const Settings *settings, int threads)
-{
-    return (PlaneDef){
-        .leaves_channel = settings->problem->concerns & CONCERN_MOTION,
-        .length = settings_geometry(settings)->length,
-        .height = settings_geometry(settings)->height,
-        .thickness = settings_geometry(settings)->thickness,
-        .youngs_modulus = settings_material(settings)->youngs_modulus,
-        .density = settings_material(settings)->density,
-        .poisson = settings_material(settings)->poisson,
-        .cell_size = settings_mesh(settings)->cell_size,
-        .particles_per_cell = settings_mesh(settings)->particles_per_cell,
-        .padding = settings_mesh(settings)->padding,
-        .grid_velocity = settings_mesh(settings)->velocity,
-        .algorithm = settings_transfer(settings)->algorithm,
-        .shape = settings_transfer(settings)->shape,
-        .flip_fraction = settings_transfer(settings)->flip_fraction,
-        .rotation = settings_transfer(settings)->rotation,
-        .mistake = settings_transfer(settings)->mistake,
-        .conceals_mistake = settings->concealed,
-        .mistake_beside = settings_transfer(settings)->mistake_beside,
-        .amplitude = settings_start(settings)->amplitude,
-        .start = settings_start(settings)->start,
-        .stress = settings_start(settings)->stress,
-        .ends = settings_supports(settings)->sections,
-        .speed = settings_motion(settings)->speed,
-        .channel = settings_motion(settings)->channel,
-        .clamp = settings_motion(settings)->clamp,
-        .courant = settings_time(settings)->courant,
-        .end = settings_time(settings)->end,
-        .threads = threads,
-        .cancel = settings->cancel,
-    };
-}
-
-/* Of what is known of a code without its mistake. */
-static PlaneDef right_definition(const Settings *settings)
-{
-    PlaneDef def = definition(settings, 1);
-    def.mistake = def.mistake_beside = 0;
-    return def;
-}
-
-static bool check(const Settings *settings, Status *status)
-{
-    const PlaneDef def = definition(settings, 1);
-    return plane_check(&def, status) &&
-           problem_check_steps(settings_time(settings)->end, plane_step(&def), status);
-}
-
-static Simulation *simulate(const Settings *settings, int threads, Status *status)
-{
-    const PlaneDef def = definition(settings, threads);
-    return plane_create(&def, status);
-}
 
 /* --- answers -------------------------------------------------------------------------------------- */
 
@@ -82,7 +22,7 @@ static double plane_period(const Settings *settings)
 
 static bool make_body(const Settings *settings, BeamBody *body, Status *status)
 {
-    const PlaneDef def = right_definition(settings);
+    const MpmDef def = mpm_right_definition(settings);
     *body = (BeamBody){.real = beam_theory_of(settings),
                        .plane = plane_period(settings),
                        .from_tip = def.cell_size / def.particles_per_cell / 2};
@@ -118,11 +58,11 @@ static bool prepare_moving(References *refs, const Settings *settings, const Sim
 
 static int derived(const Settings *settings, const Simulation *sim, Derived out[DERIVED_MAX])
 {
-    const PlaneDef def = definition(settings, 1);
+    const MpmDef def = mpm_definition(settings, 1);
     int n = 0;
-    derived_add(out, &n, "dt", "time step dt", "s", plane_step(&def), false);
-    derived_add(out, &n, "wave_speed", "wave speed c", "m/s", def.courant * def.cell_size / plane_step(&def),
-                false);
+    derived_add(out, &n, "dt", "time step dt", "s", mpm_time_step(&def), false);
+    derived_add(out, &n, "wave_speed", "wave speed c", "m/s",
+                def.courant * def.cell_size / mpm_time_step(&def), false);
     derived_add(out, &n, "cells_in_height", "cells in height", "1", round(def.height / def.cell_size), true);
     if (sim) {
         derived_add(out, &n, "particles", "particles", "1", (double)sim->counts[0], true);
@@ -146,7 +86,7 @@ static int derived(const Settings *settings, const Simulation *sim, Derived out[
 /* Below these Courant numbers no mesh is near its limit, which is not worked out then. */
 static bool limit(const Settings *settings, char *text, size_t size, Status *status)
 {
-    const PlaneDef def = right_definition(settings);
+    const MpmDef def = mpm_right_definition(settings);
     double largest;
     if (def.courant < (def.algorithm == MPM_USL ? 0.6 : 1))
         return true;
@@ -215,8 +155,9 @@ static const char *const changes[] = {"mpm.algorithm", "mpm.flip_fraction", "mpm
 static const char *const energy_changes[] = {"mpm.algorithm", "mpm.flip_fraction", NULL};
 
 #define ALIKE                                                                                                \
-    .method = METHOD_MPM, .check = check, .simulate = simulate, .derived = derived, .limit = limit,          \
-    .advice = advice, .damping = damping, .invariant = invariant, .invariant_kept = invariant_kept,          \
+    .method = METHOD_MPM, .check = mpm_check_settings, .simulate = mpm_simulate, .derived = derived,         \
+    .limit = limit, .advice = advice, .damping = damping, .invariant = invariant,                            \
+    .invariant_kept = invariant_kept,                                                                        \
     .validity = {[REFERENCE_EXACT] = {of_motion, changes},                                                   \
                  [REFERENCE_PREDICTED] = {of_any_start, of_mistakes},                                        \
                  [REFERENCE_FREQUENCY] = {of_any_start, changes},                                            \

@@ -28,7 +28,7 @@
 enum { X, Y, VX, VY, SPIN, OF_BODY };
 
 typedef struct Answers {
-    BodiesDef def;
+    MpmDef def;
     double start[BODIES_X + BODIES_MAX * OF_BODY]; /* the row at t = 0 */
     double mass, centre[2];                        /* of all, at t = 0 */
     double met, hit; /* when two bodies, and a body and a wall, touch first in free flight; INFINITY: never;
@@ -112,7 +112,7 @@ static double pair_meets(const BodyDef *a, const BodyDef *b, double close)
     return first_root(V[0] * V[0] + V[1] * V[1], 2 * (D[0] * V[0] + D[1] * V[1]), apart, close * R);
 }
 
-static double wall_meets(const BodiesDef *def, const BodyDef *body, int wall, double close)
+static double wall_meets(const MpmDef *def, const BodyDef *body, int wall, double close)
 {
     const int axis = wall / 2, far = wall % 2;
     const double out = far ? 1 : -1;
@@ -120,22 +120,22 @@ static double wall_meets(const BodiesDef *def, const BodyDef *body, int wall, do
     bodies_bounds(body, low, high);
     if (!moves_rigidly(body) && !is_round(body))
         return NAN;
-    const double distance = far ? (axis ? def->height : def->width) - high[axis] : low[axis];
+    const double distance = far ? (axis ? def->height : def->length) - high[axis] : low[axis];
     if (def->walls[wall] == WALL_CLAMP && distance <= close)
         return 0;
     return first_root(-0.5 * out * def->gravity[axis], -out * body->velocity[axis], distance, close);
 }
 
 /* What is nearer touches. */
-static double closeness(const BodiesDef *def)
+static double closeness(const MpmDef *def)
 {
-    return 1e-9 * (def->width + def->height);
+    return 1e-9 * (def->length + def->height);
 }
 
 /* NAN where one of them is not known. */
 static void find_touches(Answers *answers)
 {
-    const BodiesDef *def = &answers->def;
+    const MpmDef *def = &answers->def;
     const double close = closeness(def);
     bool walled = false;
     answers->met = answers->hit = INFINITY;
@@ -160,7 +160,7 @@ static void find_touches(Answers *answers)
 
 static void find_slide(Answers *answers)
 {
-    const BodiesDef *def = &answers->def;
+    const MpmDef *def = &answers->def;
     const BodyDef *body = &def->bodies[0];
     const double along = fabs(def->gravity[0]), down = -def->gravity[1], mu = def->wall_friction;
     const double sign = def->gravity[0] < 0 ? -1 : 1, R = body->size[2];
@@ -170,7 +170,7 @@ static void find_slide(Answers *answers)
     const bool slips = along > 3 * mu * down;
     answers->rate = sign * (slips ? along - mu * down : 2 * along / 3);
     answers->turns = slips ? -sign * 2 * mu * down / R : -answers->rate / R;
-    const double way = sign > 0 ? def->width - body->size[0] - R : body->size[0] - R;
+    const double way = sign > 0 ? def->length - body->size[0] - R : body->size[0] - R;
     answers->until = def->walls[sign > 0 ? WALL_RIGHT : WALL_LEFT] == WALL_OPEN
                          ? INFINITY
                          : sqrt(2 * fmax(way, 0) / fabs(answers->rate));
@@ -189,12 +189,12 @@ static bool is_about(double value, double right)
     return fabs(value - right) <= 1e-9 * right;
 }
 
-static double fall_length(const BodiesDef *def)
+static double fall_length(const MpmDef *def)
 {
     return def->bodies[0].size[2] - def->bodies[0].size[0];
 }
 
-static bool find_fall(const BodiesDef *def)
+static bool find_fall(const MpmDef *def)
 {
     const BodyDef *body = &def->bodies[0];
     const double L = fall_length(def), g = -def->gravity[1];
@@ -223,11 +223,11 @@ static double fallen(const Answers *answers, int what, double time)
 /* --- a block that vibrates between clamps ---------------------------------------------------------- */
 
 /* Along x alone: nothing moves across it. Small: the largest strain is wave/c. */
-static bool find_vibration(const BodiesDef *def)
+static bool find_vibration(const MpmDef *def)
 {
     const BodyDef *body = &def->bodies[0];
     return def->n_bodies == 1 && body->wave != 0 && body->size[0] == 0 &&
-           is_about(body->size[2], def->width) &&
+           is_about(body->size[2], def->length) &&
            fabs(body->wave) <= 1e-3 * sqrt(def->youngs_modulus / def->density) && body->velocity[0] == 0 &&
            body->velocity[1] == 0 && body->spin == 0 && def->poisson == 0 && def->damping == 0 &&
            def->gravity[0] == 0 && def->gravity[1] == 0 && def->walls[WALL_LEFT] == WALL_CLAMP &&
@@ -238,8 +238,8 @@ static bool find_vibration(const BodiesDef *def)
 /* The root mean square of displacement, or of stress, less the exact one, over the largest of the motion. */
 static double vibration_error(const Answers *answers, const Simulation *sim, bool stress)
 {
-    const BodiesDef *def = &answers->def;
-    const double k = M_PI / def->width, c = sqrt(def->youngs_modulus / def->density);
+    const MpmDef *def = &answers->def;
+    const double k = M_PI / def->length, c = sqrt(def->youngs_modulus / def->density);
     const double largest = def->bodies[0].wave / (k * c) * (stress ? k * def->youngs_modulus : 1);
     const double now = largest * math_sin(k * c * simulation_time(sim));
     const int field = stress ? simulation_find_field(sim, 0, "sxx") : sim->displacement[0];
@@ -275,11 +275,11 @@ static double momentum(const Answers *answers, int axis, double time)
 
 static double angular(const Answers *answers, double time)
 {
-    const BodiesDef *def = &answers->def;
+    const MpmDef *def = &answers->def;
     const double *const g = def->gravity, *const start = answers->start;
     if (!is_free(answers, time))
         return NAN;
-    const double moment[2] = {answers->centre[0] - 0.5 * def->width, answers->centre[1] - 0.5 * def->height};
+    const double moment[2] = {answers->centre[0] - 0.5 * def->length, answers->centre[1] - 0.5 * def->height};
     const double fall = start[BODIES_MOMENTUM_X] * g[1] - start[BODIES_MOMENTUM_Y] * g[0];
     return start[BODIES_ANGULAR] + answers->mass * (moment[0] * g[1] - moment[1] * g[0]) * time +
            0.5 * fall * time * time;
@@ -360,7 +360,7 @@ static void plan_motion(References *refs, Answers *answers)
     }
 }
 
-bool bodies_prepare(References *refs, const BodiesDef *def, const Simulation *sim, Status *status)
+bool bodies_prepare(References *refs, const MpmDef *def, const Simulation *sim, Status *status)
 {
     static const Quantity px = {"momentum_x_exact", "exact", "mass*length/time", "momentum along x, exact"};
     static const Quantity py = {"momentum_y_exact", "exact", "mass*length/time", "momentum along y, exact"};
@@ -405,7 +405,7 @@ static void add(Finding *out, int *count, const char *name, const char *label, d
 /* Of a disc that spins alone: means over the time so far, about which it breathes. */
 static void add_spin(const Answers *answers, const BodiesSeen *seen, Finding *out, int *count)
 {
-    const BodiesDef *def = &answers->def;
+    const MpmDef *def = &answers->def;
     const bool stress = def->plane == PLANE_STRESS;
     const double nu = def->poisson, n = stress ? nu : nu / (1 - nu);
     const double E = def->youngs_modulus / (stress ? 1 : 1 - nu * nu);
@@ -436,7 +436,7 @@ static double closing(const double *row)
 int bodies_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
 {
     const Answers *answers = answers_of(refs);
-    const BodiesDef *def = &answers->def;
+    const MpmDef *def = &answers->def;
     const BodiesSeen seen = bodies_seen(sim);
     const double now = simulation_time(sim), *const start = answers->start;
     double row[BODIES_X + BODIES_MAX * OF_BODY];
@@ -466,7 +466,7 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     }
     const double L = angular(answers, now);
     if (known && isfinite(L) &&
-        fabs(L) > 1e-9 * sqrt(2 * answers->mass * start[BODIES_KINETIC]) * (def->width + def->height))
+        fabs(L) > 1e-9 * sqrt(2 * answers->mass * start[BODIES_KINETIC]) * (def->length + def->height))
         add(out, &n, "angular_kept", "angular momentum/exact", row[BODIES_ANGULAR] / L, 1, NULL);
     if (def->n_bodies == 2) {
         const double spin = row[BODIES_X + OF_BODY + SPIN];

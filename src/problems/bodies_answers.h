@@ -3,10 +3,9 @@
 #ifndef PROBLEMS_BODIES_ANSWERS_H
 #define PROBLEMS_BODIES_ANSWERS_H
 
-#include "methods/mpm/bodies.h"
 #include "problems/solver.h"
 
-bool bodies_prepare(References *, const BodiesDef *, const Simulation *, Status *);
+bool bodies_prepare(References *, const MpmDef *, const Simulation *, Status *);
 int bodies_findings(const References *, const Simulation *, Finding out[FINDINGS_MAX]);
 
 #endif

@@ -5,7 +5,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
-#include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
 #include "theory/large_strain.h"
 #include "base/math/functions.h"
@@ -19,13 +18,6 @@ static HangingColumn column_of(const Settings *settings)
                            .youngs_modulus = settings_material(settings)->youngs_modulus,
                            .density = settings_material(settings)->density,
                            .body_force = settings_loads(settings)->body_force};
-}
-
-static Simulation *simulate(const Settings *settings, int threads, Status *status)
-{
-    (void)threads;
-    const BarDef def = bar_mpm_definition(settings);
-    return bar_create(&def, status);
 }
 
 static const HangingColumn *own_column(const References *refs)
@@ -115,8 +107,8 @@ static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip
 static const Solver hanging_column_by_mpm = {
     .method = METHOD_MPM,
     .validity = {[REFERENCE_EXACT] = {of_rest, changes}},
-    .check = bar_check_mesh,
-    .simulate = simulate,
+    .check = mpm_check_settings,
+    .simulate = mpm_simulate,
     .limit = bar_limit,
     .derived = derived,
     .prepare = prepare,

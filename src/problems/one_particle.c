@@ -6,7 +6,6 @@
 #include "scenario/concern_cells.h"
 #include "scenario/concern_loads.h"
 #include "scenario/settings.h"
-#include "methods/mpm/mpm_bar.h"
 #include "problems/solver.h"
 #include "theory/large_strain.h"
 #include "base/math/functions.h"
@@ -35,7 +34,7 @@ static bool check(const Settings *settings, Status *status)
     if (settings_mesh(settings)->particles_per_cell != 1)
         return status_refuse(status, "mesh.particles_per_cell: %d is not allowed (1: there is one particle)",
                              settings_mesh(settings)->particles_per_cell);
-    return bar_check_mesh(&bar, status);
+    return mpm_check_settings(&bar, status);
 }
 
 static double start(double x, const void *settings)
@@ -46,12 +45,11 @@ static double start(double x, const void *settings)
 
 static Simulation *simulate(const Settings *settings, int threads, Status *status)
 {
-    (void)threads;
     const Settings bar = as_bar(settings);
-    BarDef def = bar_mpm_definition(&bar);
+    MpmDef def = mpm_definition(&bar, threads);
     def.initial_velocity = start;
     def.initial_context = settings;
-    return bar_create(&def, status);
+    return mpm_create(&def, status);
 }
 
 static const Oscillator *oscillator_of(const References *refs)

@@ -5,6 +5,7 @@
 #define PROBLEMS_SOLVER_H
 
 #include "answers/references.h"
+#include "methods/mpm/mpm.h"
 #include "problems/problem.h"
 
 /* A column of the series: a number of the method's row, or an answer worked out beside it. */
@@ -75,6 +76,13 @@ void derived_add_answer(Derived out[DERIVED_MAX], int *count, Reference, const c
 
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer);
+
+/* Of all problems by the material point method (by_mpm.c): the definition, and that of a right code; check
+ * and simulate of a Solver. */
+MpmDef mpm_definition(const Settings *, int threads);
+MpmDef mpm_right_definition(const Settings *);
+bool mpm_check_settings(const Settings *, Status *);
+Simulation *mpm_simulate(const Settings *, int threads, Status *);
 
 /* For the rows of problems: their parameters, and the solvers that there are. */
 

@@ -5,8 +5,7 @@
 #define SCENARIO_PARAMETER_TABLE_H
 
 #include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/bodies.h"
-#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/mpm.h"
 #include "scenario/settings_values.h"
 #include "scenario/parameters.h"
 

@@ -4,7 +4,7 @@
  * The plain loop is what one writes first: hat functions, update stress first, one loop over the particles
  * for each of map, strain with force, and update; scalar, compiled with the flags of the rest of the program.
  * Runs are interleaved and the best of several counts, so that a busy machine disturbs the ratios little. */
-#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/mpm.h"
 #include "methods/default_defs.h"
 
 #include <math.h>
@@ -137,13 +137,13 @@ static double starting_velocity(double x, const void *context)
     return start->v0 * sin(pi / 2 * x / start->length);
 }
 
-static Simulation *engine_create(BarDef def, double v0)
+static Simulation *engine_create(MpmDef def, double v0)
 {
     Start start = {def.length, v0};
     def.initial_velocity = starting_velocity;
     def.initial_context = &start;
     Status status;
-    Simulation *sim = bar_create(&def, &status);
+    Simulation *sim = mpm_create(&def, &status);
     if (!sim) {
         fprintf(stderr, "bench_bar: %s\n", status.text);
         exit(1);
@@ -181,7 +181,7 @@ static void sizes(void)
         const int n = particles[i], cells = n / 2;
         const long steps = steps_for(n);
         const double v0 = 0.1 * 25 / cells;
-        BarDef def = bar_default();
+        MpmDef def = bar_default();
         def.length = cells;
         Plain plain = plain_create(cells, 2, v0, def.courant);
         Simulation *sims[2] = {engine_create(def, v0), engine_create(def, v0)};
@@ -236,7 +236,7 @@ static void variants(void)
                 for (size_t i = 0; i < sizeof per_cell / sizeof per_cell[0]; i++) {
                     const int cells = PARTICLES / per_cell[i];
                     const double v0 = 0.1 * 25 / cells;
-                    BarDef def = bar_default();
+                    MpmDef def = bar_default();
                     def.length = cells;
                     def.particles_per_cell = per_cell[i];
                     def.shape = (MpmShape)shape;
@@ -289,7 +289,7 @@ static void cures(void)
         const long steps = steps_for(n);
         Simulation *sims[CURES];
         for (int way = 0; way < CURES; way++) {
-            BarDef def = bar_default();
+            MpmDef def = bar_default();
             def.length = n / 2;
             def.shape = ways[way].shape;
             def.transfer = ways[way].transfer;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particle-steps per second of two discs that meet, by one thread, with the row of every step; the best of
  * several runs. The goal is 5e6 on one core. */
-#include "methods/mpm/bodies.h"
+#include "methods/mpm/mpm.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,13 +15,13 @@ static double now(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-static double measure(const BodiesDef *def, size_t *particles)
+static double measure(const MpmDef *def, size_t *particles)
 {
     enum { STEPS = 465 };
     Status status = {0};
-    Simulation *sim = bodies_create(def, &status);
+    Simulation *sim = mpm_create(def, &status);
     double *rows = sim ? malloc((size_t)(STEPS * sim->n_series) * sizeof *rows) : NULL;
-    if (!rows || !bodies_check(def, &status)) {
+    if (!rows || !mpm_check(def, &status)) {
         fprintf(stderr, "bench_bodies: %s\n", status.text);
         exit(1);
     }
@@ -40,22 +40,23 @@ int main(void)
     static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2};
     for (int fine = 0; fine < 2; fine++)
         for (int k = 0; k < 3; k++) {
-            const BodiesDef def = {.width = 1,
-                                   .height = 1,
-                                   .bodies = {{"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0},
-                                              {"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0, 0}},
-                                   .n_bodies = 2,
-                                   .youngs_modulus = 1000,
-                                   .density = 1000,
-                                   .poisson = .3,
-                                   .cell_size = fine ? .0125 : .05,
-                                   .particles_per_cell = 2,
-                                   .shape = shapes[k],
-                                   .flip_fraction = 1,
-                                   .fields = FIELDS_EACH,
-                                   .gap = .4,
-                                   .courant = .2,
-                                   .threads = 1};
+            const MpmDef def = {.problem = MPM_BODIES,
+                                .length = 1,
+                                .height = 1,
+                                .bodies = {{"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0},
+                                           {"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0, 0}},
+                                .n_bodies = 2,
+                                .youngs_modulus = 1000,
+                                .density = 1000,
+                                .poisson = .3,
+                                .cell_size = fine ? .0125 : .05,
+                                .particles_per_cell = 2,
+                                .shape = shapes[k],
+                                .flip_fraction = 1,
+                                .fields = FIELDS_EACH,
+                                .gap = .4,
+                                .courant = .2,
+                                .threads = 1};
             double best = 0;
             size_t particles = 0;
             for (int round = 0; round < 5; round++)

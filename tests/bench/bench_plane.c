@@ -93,7 +93,7 @@ static PlainNode *plain_weights(Plain *plain, const PlainParticle *p, MpmWeights
 static void plain_step(Plain *plain)
 {
     const Mpm *plane = plain->plane;
-    const double dt = plane->dt, rate = dt / plane->dx, nu = plane->plane.poisson, m = plane->mass[0];
+    const double dt = plane->dt, rate = dt / plane->dx, nu = plane->def.poisson, m = plane->mass[0];
     const int n = plane->support, gx = plane->gx;
     MpmWeights w;
     for (int i = 0; i < plane->n_nodes; i++) {
@@ -213,13 +213,13 @@ static double measure(const Runner *runner, Plain *plain, long steps)
     return (double)plain->plane->n_particles * (double)steps / (now() - start);
 }
 
-static int add_runner(Runner *runners, int *n, const PlaneDef *def, int threads, bool rows)
+static int add_runner(Runner *runners, int *n, const MpmDef *def, int threads, bool rows)
 {
-    PlaneDef mine = *def;
+    MpmDef mine = *def;
     Status status = {0};
     Runner *runner = &runners[(*n)++];
     mine.threads = threads;
-    runner->sim = plane_create(&mine, &status);
+    runner->sim = mpm_create(&mine, &status);
     if (!runner->sim) {
         fprintf(stderr, "bench_plane: %s\n", status.text);
         exit(1);
@@ -236,7 +236,7 @@ static void bench(MpmShape shape, int cells)
 {
     Runner runners[RUNNERS_MAX] = {{.name = "plain loop"}};
     int n = 1, one = 0, cores = (int)sysconf(_SC_NPROCESSORS_ONLN), threads = cores < 64 ? cores : 64;
-    PlaneDef def = plane_default(false);
+    MpmDef def = plane_default(false);
     def.shape = shape;
     def.cell_size = def.height / cells;
     one = add_runner(runners, &n, &def, 1, false);

@@ -52,12 +52,12 @@ static double slope(double x, const void *context)
 
 Simulation *bar_case_create(const BarCase *which)
 {
-    BarDef def = which->def;
+    MpmDef def = which->def;
     def.initial_velocity = velocity;
     def.initial_slope = which->zero_slope ? NULL : slope;
     def.initial_context = which;
     Status status = {0};
-    Simulation *sim = bar_create(&def, &status);
+    Simulation *sim = mpm_create(&def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }

@@ -4,13 +4,13 @@
 #define TESTS_BAR_CASE_H
 
 #include "answers/step_modes.h"
-#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/mpm.h"
 #include "methods/run_case.h"
 
 enum { BAR_CASE_MODES = 4 };
 
 typedef struct BarCase {
-    BarDef def;
+    MpmDef def;
     int n_modes;
     struct {
         int number;

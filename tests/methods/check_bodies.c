@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bodies by the material point method: what no reference run has is held by what any code must keep
  * (momentum, angular momentum, uniform stretch, symmetry); then bits, refusals, ends. */
-#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/engine.h"
 #include "methods/run_case.h"
 #include "suite.h"
 
@@ -11,31 +11,32 @@
 #include <string.h>
 
 /* Two discs that meet off their centres. */
-static BodiesDef two_discs(void)
+static MpmDef two_discs(void)
 {
-    return (BodiesDef){.width = 1,
-                       .height = 0.8,
-                       .bodies = {{"left", BODY_DISC, {.25, .3, .2}, {.2, 0}, 0, 0},
-                                  {"right", BODY_DISC, {.75, .45, .2}, {-.2, 0}, 0, 0}},
-                       .n_bodies = 2,
-                       .youngs_modulus = 1000,
-                       .density = 1000,
-                       .poisson = .3,
-                       .cell_size = .1,
-                       .particles_per_cell = 2,
-                       .shape = MPM_GIMP,
-                       .flip_fraction = 1,
-                       .fields = FIELDS_EACH,
-                       .gap = .4,
-                       .courant = .1,
-                       .threads = 1};
+    return (MpmDef){.problem = MPM_BODIES,
+                    .length = 1,
+                    .height = 0.8,
+                    .bodies = {{"left", BODY_DISC, {.25, .3, .2}, {.2, 0}, 0, 0},
+                               {"right", BODY_DISC, {.75, .45, .2}, {-.2, 0}, 0, 0}},
+                    .n_bodies = 2,
+                    .youngs_modulus = 1000,
+                    .density = 1000,
+                    .poisson = .3,
+                    .cell_size = .1,
+                    .particles_per_cell = 2,
+                    .shape = MPM_GIMP,
+                    .flip_fraction = 1,
+                    .fields = FIELDS_EACH,
+                    .gap = .4,
+                    .courant = .1,
+                    .threads = 1};
 }
 
-static Simulation *create(const BodiesDef *def)
+static Simulation *create(const MpmDef *def)
 {
     Status status = {0};
-    ck_assert_msg(bodies_check(def, &status), "%s", status.text);
-    Simulation *sim = bodies_create(def, &status);
+    ck_assert_msg(mpm_check(def, &status), "%s", status.text);
+    Simulation *sim = mpm_create(def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     return sim;
 }
@@ -44,10 +45,10 @@ static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2};
 
 /* Every algorithm, shape, transfer, gap and friction in turn. */
 enum { VARIANTS = 36 };
-static BodiesDef variant(int number)
+static MpmDef variant(int number)
 {
     static const double gaps[] = {.35, .5, INFINITY};
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.algorithm = (MpmAlgorithm)(number % 3);
     def.shape = shapes[number / 3 % 3];
     def.transfer = number / 9 % 2 ? MPM_APIC : MPM_FLIP;
@@ -60,7 +61,7 @@ static BodiesDef variant(int number)
 
 START_TEST(momentum_is_kept)
 {
-    const BodiesDef def = variant(_i);
+    const MpmDef def = variant(_i);
     Simulation *sim = create(&def);
     const double L = series_now(sim, "angular"), px = series_now(sim, "left.vx") * 125;
     /* what light nodes hold is left out: some 1e-11 of it in a run; USL with hats does not stand contact for
@@ -96,7 +97,7 @@ static void affine(const double x[2], const void *context, double v[2], double g
 START_TEST(an_affine_block)
 {
     static const double C[4] = {.1, .03, -.02, .05}, expected[3] = {1.408861281, 1.077364509, .033149677};
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.n_bodies = 1;
     def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.3, .2, .8, .7}, {0, 0}, 0, 0};
     def.height = 1;
@@ -116,9 +117,9 @@ START_TEST(an_affine_block)
 END_TEST
 
 /* A scene with a clamp, a wall with friction and contact beside them, and the same with x and y changed. */
-static BodiesDef scene(bool turned, int number)
+static MpmDef scene(bool turned, int number)
 {
-    BodiesDef def = variant(number);
+    MpmDef def = variant(number);
     def.n_bodies = 2;
     def.friction = .3;
     def.wall_friction = .4;
@@ -133,7 +134,7 @@ static BodiesDef scene(bool turned, int number)
     def.gravity[1] = -.5;
     if (!turned)
         return def;
-    def.width = .8, def.height = 1;
+    def.length = .8, def.height = 1;
     def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 0, .2, .5}, {0, 0}, 0, 0};
     def.bodies[1] = (BodyDef){"ball", BODY_DISC, {.45, .3, .2}, {-.2, .15}, 0, 0};
     def.walls[WALL_BOTTOM] = WALL_CLAMP;
@@ -149,7 +150,7 @@ START_TEST(x_and_y_are_alike)
     static const char *const pairs[][2] = {
         {"kinetic", "kinetic"}, {"strain", "strain"},   {"friction", "friction"}, {"ball.x", "ball.y"},
         {"ball.y", "ball.x"},   {"ball.vx", "ball.vy"}, {"arm.x", "arm.y"},       {"arm.y", "arm.x"}};
-    const BodiesDef one = scene(false, _i), other = scene(true, _i);
+    const MpmDef one = scene(false, _i), other = scene(true, _i);
     Simulation *sim = create(&one), *turned = create(&other);
     advance(sim, 60), advance(turned, 60);
     for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++)
@@ -166,7 +167,7 @@ END_TEST
  * particle. */
 START_TEST(free_flight_makes_no_stress)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.n_bodies = 1;
     def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.2, .2, .4, .4}, {.05, 0}, 0, 0};
     def.shape = shapes[_i % 3];
@@ -185,7 +186,7 @@ END_TEST
 /* What a body in free fall, a wall and another body do first is seen when it should be. */
 START_TEST(what_is_seen)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.cell_size = .05;
     Simulation *sim = create(&def);
     while (simulation_time(sim) < .5)
@@ -215,7 +216,7 @@ END_TEST
  * column says the same at each step. Stage by stage, rewound and with rows the events are the same ones. */
 START_TEST(touches_are_events)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     Status status;
     def.height = 1;
     def.bodies[0] = (BodyDef){"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0};
@@ -276,7 +277,7 @@ END_TEST
 /* A disc that falls and bounces touches a wall and leaves it: science B6 has .3584. */
 START_TEST(a_wall_is_touched_and_left)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.cell_size = .05;
     def.n_bodies = 1;
     def.height = 1;
@@ -299,10 +300,10 @@ END_TEST
 /* A soft cantilever with hats tears at t = .43 (science B7), and is told of. */
 START_TEST(a_tear_is_told)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.n_bodies = 1;
     def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 2, 1, 2.2}, {0, 0}, 0, 0};
-    def.width = 2, def.height = 3;
+    def.length = 2, def.height = 3;
     def.walls[WALL_LEFT] = WALL_CLAMP;
     def.gravity[1] = -10;
     def.youngs_modulus = 2e5;
@@ -335,7 +336,7 @@ static bool says(Simulation *sim, int stage, size_t node, const void *before, co
 /* Contact tells normal, gap, approach and impulse where bodies meet. */
 START_TEST(contact_is_written_out)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.transfer = _i % 2 ? MPM_APIC : MPM_FLIP;
     Simulation *sim = create(&def);
     Status status = {0};
@@ -370,7 +371,7 @@ static void expect_same(const Simulation *a, const Simulation *b, const char *wh
 
 START_TEST(rewound_and_sliced)
 {
-    const BodiesDef def = scene(false, _i);
+    const MpmDef def = scene(false, _i);
     Status status;
     Simulation *sim = create(&def), *other = create(&def), *rows = create(&def);
     advance(sim, 30);
@@ -398,7 +399,7 @@ END_TEST
 
 START_TEST(any_number_of_threads)
 {
-    BodiesDef def = scene(false, _i);
+    MpmDef def = scene(false, _i);
     def.cell_size = .0125;
     Simulation *sim = create(&def);
     ck_assert_uint_gt(sim->counts[0], 2048);
@@ -412,77 +413,63 @@ END_TEST
 
 /* --- refusals and ends -------------------------------------------------------------------------------- */
 
-static void overlap(BodiesDef *def)
+static void overlap(MpmDef *def)
 {
     def->bodies[1].size[0] = .5;
 }
-static void no_particle(BodiesDef *def)
+static void no_particle(MpmDef *def)
 {
     def->bodies[0].size[2] = .01;
 }
-static void outside(BodiesDef *def)
+static void outside(MpmDef *def)
 {
     def->bodies[0].size[0] = .15;
 }
-static void less_friction(BodiesDef *def)
-{
-    def->friction = -1;
-}
-static void less_wall_friction(BodiesDef *def)
-{
-    def->wall_friction = -1;
-}
-static void spin_in_clamp(BodiesDef *def)
+static void spin_in_clamp(MpmDef *def)
 {
     def->walls[WALL_LEFT] = WALL_CLAMP;
     def->bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 0, .4, .2}, {0, 0}, 1, 0};
 }
-static void stress_of_neo(BodiesDef *def)
+static void stress_of_neo(MpmDef *def)
 {
     def->law = LAW_NEO_HOOKEAN, def->plane = PLANE_STRESS;
 }
-static void half_cells(BodiesDef *def)
+static void half_cells(MpmDef *def)
 {
     def->height = .85;
 }
-static void none(BodiesDef *def)
+static void none(MpmDef *def)
 {
     def->n_bodies = 0;
 }
-static void ring_without_width(BodiesDef *def)
+static void ring_without_width(MpmDef *def)
 {
     def->bodies[0] = (BodyDef){"o", BODY_RING, {.3, .3, .2, .2}, {0, 0}, 0, 0};
 }
-static void empty_block(BodiesDef *def)
+static void empty_block(MpmDef *def)
 {
     def->bodies[0] = (BodyDef){"b", BODY_BLOCK, {.3, .3, .2, .4}, {0, 0}, 0, 0};
 }
-static void no_gap(BodiesDef *def)
-{
-    def->gap = 0;
-}
-static void three_cells_a_step(BodiesDef *def)
+static void three_cells_a_step(MpmDef *def)
 {
     def->courant = 3;
 }
-static void overdamped(BodiesDef *def)
+static void overdamped(MpmDef *def)
 {
     def->damping = 240;
 }
-static void one_particle(BodiesDef *def)
+static void one_particle(MpmDef *def)
 {
     def->particles_per_cell = 1;
 }
 
 static const struct {
-    void (*spoil)(BodiesDef *);
+    void (*spoil)(MpmDef *);
     const char *said;
 } refused[] = {
     {overlap, "bodies.right: overlaps bodies.left at (0.425, 0.275)"},
     {no_particle, "bodies.left: has no particle (larger, or a smaller mesh.cell_size than 0.1)"},
     {outside, "bodies.left: reaches out of the box, x from -0.05 to 0.35 (0 to domain.width = 1)"},
-    {less_friction, "contact.friction: -1 is out of range (at least 0)"},
-    {less_wall_friction, "domain.wall_friction: -1 is out of range (at least 0)"},
     {spin_in_clamp, "bodies.arm: spin 1, but the left wall clamps it (0, or domain.left = open)"},
     {stress_of_neo, "material.plane: stress is not for the neo-hookean law (strain, or law = hypoelastic)"},
     {half_cells, "domain.height: 0.85 is 8.5 cells (a whole number of mesh.cell_size = 0.1)"},
@@ -491,17 +478,16 @@ static const struct {
     {none, "bodies: there is none (at least one line, NAME = disc CX CY R)"},
     {ring_without_width, "bodies.o: outer radius 0.2 is not above the inner one, 0.2"},
     {empty_block, "bodies.b: is empty (a block has x0 < x1 and y0 < y1)"},
-    {no_gap, "contact.gap: 0 is out of range (above 0, or off)"},
     {one_particle, "mesh.particles_per_cell: 1 is not enough for gimp (at least 2 along each side)"},
 };
 enum { REFUSED = sizeof refused / sizeof *refused };
 
 START_TEST(what_is_refused)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     Status status = {0};
     refused[_i].spoil(&def);
-    ck_assert(!bodies_check(&def, &status));
+    ck_assert(!mpm_check(&def, &status));
     ck_assert_int_eq(status.code, STATUS_USAGE);
     ck_assert_str_eq(status.text, refused[_i].said);
 }
@@ -509,7 +495,7 @@ END_TEST
 
 START_TEST(a_particle_leaves)
 {
-    BodiesDef def = two_discs();
+    MpmDef def = two_discs();
     def.n_bodies = 1;
     def.bodies[0].velocity[0] = 1;
     Simulation *sim = create(&def);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bodies by the material point method against runs of independent programs, digit by digit. */
 #include "base/text.h"
-#include "methods/mpm/bodies.h"
+#include "methods/mpm/mpm.h"
 #include "methods/run_case.h"
 #include "suite.h"
 
@@ -25,14 +25,14 @@ static int word_index(const char *word, const char *const *words)
     return -1;
 }
 
-static bool set_number(BodiesDef *def, const char *key, double value)
+static bool set_number(MpmDef *def, const char *key, double value)
 {
     const struct {
         const char *key;
         double *number;
     } numbers[] = {{"E", &def->youngs_modulus}, {"nu", &def->poisson},        {"rho", &def->density},
                    {"gx", &def->gravity[0]},    {"gy", &def->gravity[1]},     {"alpha", &def->flip_fraction},
-                   {"mu", &def->friction},      {"muw", &def->wall_friction}, {"W", &def->width},
+                   {"mu", &def->friction},      {"muw", &def->wall_friction}, {"W", &def->length},
                    {"H", &def->height},         {"dx", &def->cell_size},      {"courant", &def->courant},
                    {"near", &def->gap}};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
@@ -51,7 +51,7 @@ static bool set_number(BodiesDef *def, const char *key, double value)
     return true;
 }
 
-static void set(BodiesDef *def, const char *key, const char *value)
+static void set(MpmDef *def, const char *key, const char *value)
 {
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
     static const char *const shapes[] = {"hat", "gimp", "bspline2", NULL};
@@ -76,7 +76,7 @@ static void set(BodiesDef *def, const char *key, const char *value)
         def->walls[word_index(key, sides)] = (BodyWall)word_index(value, walls);
 }
 
-static void add_body(BodiesDef *def, const char *line)
+static void add_body(MpmDef *def, const char *line)
 {
     static const char *const shapes[] = {"disc", "ring", "block", NULL};
     char word[20];
@@ -103,7 +103,7 @@ typedef struct State {
 } State;
 
 /* 1e-9 of the column's largest; the block whose stress does not turn is sensitive to round-off. */
-static void expect_state(const char *name, const BodiesDef *def, const State *state, Simulation *sim)
+static void expect_state(const char *name, const MpmDef *def, const State *state, Simulation *sim)
 {
     const double tolerance = strcmp(name, "spin-hat-hypo-unrotated") == 0 ? 1e-7 : 1e-9;
     advance(sim, state->step - sim->step);
@@ -120,24 +120,24 @@ static void expect_state(const char *name, const BodiesDef *def, const State *st
         free(got);
     }
     const double energy = fabs(state->sums[0]) + fabs(state->sums[1]) + fabs(state->sums[2]);
-    const double mass = def->density * def->width * def->height, moment = sqrt(2 * energy * mass);
+    const double mass = def->density * def->length * def->height, moment = sqrt(2 * energy * mass);
     for (int k = 0; k < SUMS; k++)
         ck_assert_double_eq_tol(series_now(sim, sums[k]), state->sums[k],
                                 tolerance * (k < 3   ? energy
                                              : k < 5 ? moment
-                                                     : moment * def->width));
+                                                     : moment * def->length));
 }
 
 static void run_golden(FILE *file, int which)
 {
-    static BodiesDef def;
+    static MpmDef def;
     static State state;
     char line[TEXT_MAX], name[80] = "", key[40], value[60];
     double dt = NAN;
     Simulation *sim = NULL;
     Status status = {0};
     int number = -1, particles = 0;
-    def = (BodiesDef){.threads = 1};
+    def = (MpmDef){.problem = MPM_BODIES, .threads = 1};
     while (fgets(line, sizeof line, file)) {
         number += strncmp(line, "case ", 5) == 0;
         if (number != which)
@@ -164,8 +164,8 @@ static void run_golden(FILE *file, int which)
                                     v + 6, v + 7),
                              1 + QUANTITIES);
         } else if (sscanf(line, "particles %d", &particles) == 1) {
-            ck_assert_msg(bodies_check(&def, &status), "%s: %s", name, status.text);
-            sim = bodies_create(&def, &status);
+            ck_assert_msg(mpm_check(&def, &status), "%s: %s", name, status.text);
+            sim = mpm_create(&def, &status);
             ck_assert_msg(sim != NULL, "%s: %s", name, status.text);
             ck_assert_double_eq_tol(sim->dt, dt, 1e-15 * dt);
             ck_assert_uint_eq(sim->counts[0], (size_t)particles);

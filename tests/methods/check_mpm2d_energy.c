@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beam that leaves its channel by cells of 1.25 mm, over all of its 5 ms: what is left of its energy. */
-#include "methods/mpm/plane.h"
+#include "methods/mpm/mpm.h"
 #include "methods/default_defs.h"
 #include "methods/run_case.h"
 #include "suite.h"
 
 /* kinetic + strain over that of the start, the mean of every 16th step from a time on. */
-static double energy_left(const PlaneDef *def, double from)
+static double energy_left(const MpmDef *def, double from)
 {
     Status status = {0};
-    Simulation *sim = plane_create(def, &status);
+    Simulation *sim = mpm_create(def, &status);
     ck_assert_msg(sim != NULL, "%s", status.text);
     const double start = series_now(sim, "total");
     double sum = 0;
@@ -25,9 +25,9 @@ static double energy_left(const PlaneDef *def, double from)
     return sum / count / start;
 }
 
-static PlaneDef coarse(void)
+static MpmDef coarse(void)
 {
-    PlaneDef def = plane_default(true);
+    MpmDef def = plane_default(true);
     def.cell_size = 0.00125;
     def.flip_fraction = 1;
     def.end = 5.01e-3;
@@ -37,7 +37,7 @@ static PlaneDef coarse(void)
 /* The reference has .90 at 5 ms. */
 START_TEST(boxes_lose_a_tenth)
 {
-    const PlaneDef def = coarse();
+    const MpmDef def = coarse();
     ck_assert_double_eq_tol(energy_left(&def, 4.999e-3), 0.90, 0.006);
 }
 END_TEST
@@ -45,7 +45,7 @@ END_TEST
 /* The reference has 1.02, which ripples by 2 % with what rings through the height. */
 START_TEST(hats_that_cross_nothing_keep_it)
 {
-    PlaneDef def = coarse();
+    MpmDef def = coarse();
     def.shape = MPM_HAT;
     def.grid_velocity = def.speed;
     def.stress = PLANE_GRID;

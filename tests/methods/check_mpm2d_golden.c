@@ -2,7 +2,7 @@
 /* Beams by the material point method against runs of an independent program, digit by digit: only these catch
  * a small error of convention. */
 #include "base/text.h"
-#include "methods/mpm/plane.h"
+#include "methods/mpm/mpm.h"
 #include "methods/default_defs.h"
 #include "methods/run_case.h"
 #include "suite.h"
@@ -24,7 +24,7 @@ typedef struct State {
 
 typedef struct Golden {
     char name[60];
-    PlaneDef def;
+    MpmDef def;
     double dt, xmin, ymin;
     int columns, rows, gx, gy;
     int n_states;
@@ -42,7 +42,7 @@ static int word_index(const char *word, const char *const *words)
     return -1;
 }
 
-static void set(PlaneDef *def, const char *key, const char *value)
+static void set(MpmDef *def, const char *key, const char *value)
 {
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
     static const char *const shapes[] = {"hat", "gimp", NULL};
@@ -223,7 +223,7 @@ static void run_golden(Golden *golden)
     Status status = {0};
     /* 200 steps, as many as the grid has to reach */
     golden->def.end = 200 * golden->dt;
-    Simulation *sim = plane_create(&golden->def, &status);
+    Simulation *sim = mpm_create(&golden->def, &status);
     ck_assert_msg(sim != NULL, "%s: %s", golden->name, status.text);
     ck_assert_double_eq_tol(sim->dt, golden->dt, 1e-15 * golden->dt);
     ck_assert_uint_eq(sim->columns, (size_t)golden->columns);

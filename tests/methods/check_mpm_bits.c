@@ -217,9 +217,9 @@ START_TEST(pinned_bits)
 {
     uint64_t hash = 0xcbf29ce484222325u;
     for (int number = 0; number < PINNED_VARIANTS; number++) {
-        BarDef def = variant(number).def;
+        MpmDef def = variant(number).def;
         def.initial_velocity = parabola;
-        Simulation *sim = bar_create(&def, NULL);
+        Simulation *sim = mpm_create(&def, NULL);
         ck_assert_ptr_nonnull(sim);
         advance(sim, 200);
         static const char *const names[] = {"x", "v", "stress", "density"};
@@ -273,10 +273,7 @@ START_TEST(live_changes_belong_to_the_state)
     advance(other, 20);
     expect_same_state(sim, other, "back before the changes");
     ck_assert(!sim->method->change(sim, "bar.length", 3, &status));
-    ck_assert(!sim->method->change(sim, "mpm.algorithm", 3, &status));
-    ck_assert(!sim->method->change(sim, "mpm.flip_fraction", 1.5, &status));
     ck_assert(!sim->method->change(sim, "mpm.mass_blend", 0.04, &status));
-    ck_assert(!sim->method->change(sim, "mpm.fmpm_order", 9, &status));
     ck_assert(sim->method->change(sim, "mpm.mass_blend", 0.05, &status));
     ck_assert(!sim->method->change(sim, "mpm.transfer", MPM_FMPM, &status));
     free(before);

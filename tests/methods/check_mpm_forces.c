@@ -69,7 +69,7 @@ START_TEST(it_acts)
     bar.def.initial_velocity = drift;
     bar.def.initial_context = &v0;
     Status status;
-    Simulation *sim = bar_create(&bar.def, &status);
+    Simulation *sim = mpm_create(&bar.def, &status);
     ck_assert_msg(sim, "%s", status.text);
     /* v' = v - dt k x, x' = x + dt v', from x = 0 and v0: x(n) = dt v0 sin(n th)/sin(th) up to a shift of
      * half a step that the first force, 0 at x = 0, takes away */

@@ -56,7 +56,7 @@ static void set(Golden *golden, const char *key, const char *value)
         "hat", "gimp", "bspline2", "bspline3", "cpdi", "bspline2_uniform", "bspline3_uniform", NULL};
     static const char *const transfers[] = {"flip", "apic", "fmpm", NULL};
     static const char *const affine_starts[] = {"gradient", "zero", NULL};
-    BarDef *def = &golden->bar.def;
+    MpmDef *def = &golden->bar.def;
     const struct {
         const char *key;
         double *number;

@@ -98,7 +98,7 @@ static void expect_null(Simulation *sim, int how)
     const double all = row[simulation_find_series(sim, "kinetic")], expected = reference(mpm);
     const double off = fabs(sqrt(row[column]) - sqrt(expected)), allowed = how < TOGETHER ? 1e-14 : 1e-11;
     ck_assert_msg(off <= allowed * sqrt(all), "places %d, P %d, %d cells: K_0 is %.17g, not %.17g, of %g",
-                  how, mpm->bar.particles_per_cell, mpm->cells, row[column], expected, all);
+                  how, mpm->def.particles_per_cell, mpm->cells, row[column], expected, all);
 }
 
 static int ascending(const void *left, const void *right)
@@ -121,7 +121,7 @@ static BarCase bar_of_number(int number, double length)
 
 /* Whether K_0 is more than round-off there: wider shapes on one point of each cell hang together by a thread.
  */
-static bool is_defined(const BarDef *def, int how)
+static bool is_defined(const MpmDef *def, int how)
 {
     return def->shape == MPM_HAT || how <= ANYWHERE;
 }
@@ -137,7 +137,7 @@ START_TEST(particles_anywhere)
                 continue;
             Simulation *sim = bar_case_create(&which);
             Mpm *mpm = mpm_of(sim);
-            const int P = mpm->bar.particles_per_cell;
+            const int P = mpm->def.particles_per_cell;
             for (int first = 0; first < mpm->n_particles; first += P) {
                 double places[8];
                 for (int j = 0; j < P; j++) {

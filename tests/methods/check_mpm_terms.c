@@ -3,7 +3,7 @@
  * come to what its field is, or to what was added to it, but for the rounding of as many additions. */
 #include "methods/bar_case.h"
 #include "methods/default_defs.h"
-#include "methods/mpm/bodies.h"
+#include "methods/mpm/mpm.h"
 #include "methods/run_case.h"
 #include "suite.h"
 
@@ -114,7 +114,7 @@ END_TEST
 
 START_TEST(sums_of_beams)
 {
-    PlaneDef def = plane_default(_i % 2);
+    MpmDef def = plane_default(_i % 2);
     Status status = {0};
     def.length = 0.02;
     def.cell_size = 0.00125;
@@ -122,7 +122,7 @@ START_TEST(sums_of_beams)
     def.algorithm = (MpmAlgorithm)(_i / 2 % 3);
     def.shape = _i / 6 % 2 ? MPM_GIMP : MPM_HAT;
     def.flip_fraction = ways[_i / 12].flip;
-    expect_step(plane_create(&def, &status), 5);
+    expect_step(mpm_create(&def, &status), 5);
 }
 END_TEST
 
@@ -130,31 +130,32 @@ END_TEST
 START_TEST(sums_of_bodies)
 {
     static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2};
-    BodiesDef def = {.width = 1,
-                     .height = 0.8,
-                     .walls = {WALL_SLIP, WALL_FRICTION, WALL_CLAMP, WALL_OPEN},
-                     .bodies = {{"left", BODY_DISC, {.3, .2, .2}, {.2, 0}, 0, 0},
-                                {"right", BODY_DISC, {.7, .25, .2}, {-.2, 0}, 0, 0}},
-                     .n_bodies = 2,
-                     .youngs_modulus = 1000,
-                     .density = 1000,
-                     .poisson = .3,
-                     .cell_size = .1,
-                     .particles_per_cell = 2,
-                     .fields = FIELDS_EACH,
-                     .friction = .3,
-                     .gap = INFINITY,
-                     .gravity = {.1, -.2},
-                     .damping = .1,
-                     .courant = .1,
-                     .threads = 1};
+    MpmDef def = {.problem = MPM_BODIES,
+                  .length = 1,
+                  .height = 0.8,
+                  .walls = {WALL_SLIP, WALL_FRICTION, WALL_CLAMP, WALL_OPEN},
+                  .bodies = {{"left", BODY_DISC, {.3, .2, .2}, {.2, 0}, 0, 0},
+                             {"right", BODY_DISC, {.7, .25, .2}, {-.2, 0}, 0, 0}},
+                  .n_bodies = 2,
+                  .youngs_modulus = 1000,
+                  .density = 1000,
+                  .poisson = .3,
+                  .cell_size = .1,
+                  .particles_per_cell = 2,
+                  .fields = FIELDS_EACH,
+                  .friction = .3,
+                  .gap = INFINITY,
+                  .gravity = {.1, -.2},
+                  .damping = .1,
+                  .courant = .1,
+                  .threads = 1};
     Status status = {0};
     def.algorithm = (MpmAlgorithm)(_i % 3);
     def.shape = shapes[_i / 3 % 3];
     def.transfer = ways[_i / 9].transfer;
     def.flip_fraction = ways[_i / 9].flip;
-    ck_assert_msg(bodies_check(&def, &status), "%s", status.text);
-    expect_step(bodies_create(&def, &status), 5);
+    ck_assert_msg(mpm_check(&def, &status), "%s", status.text);
+    expect_step(mpm_create(&def, &status), 5);
 }
 END_TEST
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "methods/default_defs.h"
 
-BarDef bar_default(void)
+MpmDef bar_default(void)
 {
-    return (BarDef){
+    return (MpmDef){
         .length = 25.0,
         .youngs_modulus = 100.0,
         .density = 1.0,
@@ -21,9 +21,10 @@ BarDef bar_default(void)
     };
 }
 
-PlaneDef plane_default(bool leaves_channel)
+MpmDef plane_default(bool leaves_channel)
 {
-    PlaneDef def = {
+    MpmDef def = {
+        .problem = MPM_BEAM,
         .leaves_channel = leaves_channel,
         .length = 0.1,
         .height = 0.005,

@@ -5,14 +5,13 @@
 #define TESTS_DEFAULT_DEFS_H
 
 #include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/mpm_bar.h"
-#include "methods/mpm/plane.h"
+#include "methods/mpm/mpm.h"
 
 /* Paper M's first mode, at rest: L 25, E 100, rho 1, dx 1, two particles per cell, USF, hat, courant 0.1. */
-BarDef bar_default(void);
+MpmDef bar_default(void);
 
 /* Aluminium beams of .1 x .005 m in cells of .625 mm, as the scenarios have them. */
-PlaneDef plane_default(bool leaves_channel);
+MpmDef plane_default(bool leaves_channel);
 
 BeamDef beam_default(BeamProblem problem);
 

@@ -10,7 +10,7 @@
 #include "answers/diagnose.h"
 #include "answers/diagnose_internal.h"
 #include "methods/bonds/plane/bonds_plane.h"
-#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/mpm.h"
 #include "problems/problem.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"

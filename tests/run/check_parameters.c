@@ -8,7 +8,7 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
-#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/mpm.h"
 #include "methods/default_defs.h"
 #include "scenario/parameters.h"
 #include "base/text.h"
@@ -77,7 +77,7 @@ END_TEST
 START_TEST(defaults_are_those_of_the_engines)
 {
     Settings bar = set_of(&problem_bar);
-    BarDef engine = bar_default();
+    MpmDef engine = bar_default();
     ck_assert(settings_geometry(&bar)->length == engine.length &&
               settings_time(&bar)->courant == engine.courant);
     ck_assert_int_eq(settings_mesh(&bar)->padding, engine.padding);

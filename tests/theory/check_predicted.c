@@ -29,7 +29,7 @@ static BarTheory theory_of(const BarCase *which)
     return bar;
 }
 
-static BarMesh mesh_of(const BarDef *def, double dt)
+static BarMesh mesh_of(const MpmDef *def, double dt)
 {
     static const MpmAlgorithm algorithms[] = {
         [MPM_USF] = MPM_USF, [MPM_USL] = MPM_USL, [MPM_MUSL] = MPM_MUSL};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is shown inside a time step adds up: every sum of the stage box is worked out again from the digits
  * that are printed, and so are the columns of the inspector; the results are the fields of the run. */
-#include "methods/mpm/mpm_bar.h"
+#include "methods/mpm/mpm.h"
 #include "scenario/settings.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "scenario/scenario.h"

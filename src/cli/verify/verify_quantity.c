@@ -11,7 +11,7 @@
 #include "methods/bonds/cracks/crack_cost.h"
 #include "methods/bonds/cracks/fronts.h"
 #include "theory/frequency.h"
-#include "methods/mpm/bodies.h"
+#include "methods/mpm/mpm.h"
 #include "scenario/concern_body.h"
 
 #include <stdio.h>

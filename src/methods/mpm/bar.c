@@ -1,95 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A bar by the material point method is made and changed. At t = 0 particles stand at (j + 1/2 + offset)/P in
- * their cells, with stress 0, volume m/rho and the velocity of eq. 19; m = rho dx/P, dt by eq. 21. */
+/* A bar: its numbers, and its particles at t = 0, which stand at (j + 1/2 + offset)/P in their cells, with
+ * stress 0, volume m/rho and the velocity of eq. 19; m = rho dx/P, dt by eq. 21. */
 #include "base/assertion.h"
 #include "methods/axial.h"
 #include "methods/mpm/mistakes.h"
 
-#include <limits.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* mu, with what 0 stands for. */
-static double blend_of(const BarDef *def, double mass_blend)
+/* A wave of angle theta per cell: omega^2 = (c/dx)^2 K F/Mh^2 with Mh = (1 - mu) F + mu, F = 1 - A theta^2 +
+ * ..., K = theta^2 (1 - B theta^2 + ...), and leapfrog in time adds C^2 theta^2/12, so that
+ *
+ *     Omega/omega - 1 = theta^2/2 (C^2/12 - B + A - 2 mu A) + O(theta^4) */
+double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double courant)
 {
-    return mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant)
-                             : mass_blend;
+    ASSERT_INT(particles_per_cell, >=, 1);
+    const double twelfth = 1.0 / (12.0 * particles_per_cell * particles_per_cell);
+    double filter = 1.0 / 6.0 + twelfth, stiffness = 1.0 / 12.0; /* A, B */
+    if (shape == MPM_BSPLINE2 || shape == MPM_UNIFORM2) {
+        filter = 1.0 / 4.0;
+        /* about the nodes an odd number has a particle at a knot */
+        stiffness = 1.0 / 4.0 + (shape == MPM_UNIFORM2 && particles_per_cell % 2 == 1 ? -2.0 : 1.0) * twelfth;
+    } else if (shape == MPM_BSPLINE3 || shape == MPM_UNIFORM3)
+        filter = stiffness = 1.0 / 3.0;
+    return fmin(1.0, 0.5 - (stiffness - courant * courant / 12.0) / (2.0 * filter));
 }
 
-/* How momentum is transferred: the values that the run would have then, if they fit each other. C of APIC
- * begins at 0 where the transfer is changed: there is no slope to begin with. */
-static bool change_method(Mpm *mpm, const char *key, double value, Status *status)
-{
-    BarDef def = mpm->bar;
-    MpmHead *head = mpm->head;
-    def.algorithm = head->algorithm;
-    def.transfer = head->transfer;
-    def.flip_fraction = head->flip_fraction;
-    def.mass_blend = head->mass_blend;
-    def.fmpm_order = head->fmpm_order;
-    def.mistake = head->mistake;
-    bool algorithm = strcmp(key, "mpm.algorithm") == 0, transfer = strcmp(key, "mpm.transfer") == 0;
-    if (algorithm || transfer) {
-        int last = algorithm ? MPM_MUSL : MPM_FMPM;
-        if (!(value >= 0 && value <= last && value == floor(value)))
-            return status_refuse(status, "%s: %g is not a choice (0 to %d)", key, value, last);
-        if (algorithm)
-            def.algorithm = (MpmAlgorithm)value;
-        else
-            def.transfer = (MpmTransfer)value;
-    } else if (strcmp(key, "mpm.flip_fraction") == 0)
-        def.flip_fraction = value;
-    else if (strcmp(key, "mpm.mass_blend") == 0)
-        def.mass_blend = value;
-    else if (strcmp(key, "mpm.fmpm_order") == 0 && value >= 1 && value <= FMPM_ORDER_MAX &&
-             value == floor(value))
-        def.fmpm_order = (int)value;
-    else if (strcmp(key, "mpm.mistake") == 0 && value >= 0 && value == floor(value) && value < INT_MAX)
-        def.mistake = (int)value;
-    else if (strcmp(key, "mpm.fmpm_order") == 0)
-        return status_refuse(status, "%s: %g is out of range (1 to %d)", key, value, FMPM_ORDER_MAX);
-    else
-        return status_refuse(status, "%s: cannot be changed in mid-run", key);
-    if (!bar_check(&def, status))
-        return false;
-    if (!mpm_change_mistake(mpm, def.mistake, def.conceals_mistake, status))
-        return false;
-    if (def.transfer != head->transfer)
-        memset(mpm->affine, 0, (size_t)mpm->n_particles * sizeof(double));
-    head->algorithm = def.algorithm;
-    head->transfer = def.transfer;
-    head->flip_fraction = def.flip_fraction;
-    head->mass_blend = blend_of(&def, def.mass_blend);
-    head->fmpm_order = def.fmpm_order;
-    mpm_take_schedule(mpm);
-    return true;
-}
-
-static bool change(Simulation *sim, const char *key, double value, Status *status)
-{
-    Mpm *mpm = mpm_of(sim);
-    MpmHead *head = mpm->head;
-    ASSERT_INT(sim->stage, ==, 0);
-    if (strncmp(key, "mpm.", 4) == 0)
-        return change_method(mpm, key, value, status);
-    double *load = strcmp(key, "load.body_force") == 0 ? &head->body_force
-                   : strcmp(key, "load.traction") == 0 ? &head->traction
-                                                       : NULL;
-    if (!load)
-        return status_refuse(status, "%s: cannot be changed in mid-run", key);
-    if (!isfinite(value))
-        return status_refuse(status, "%s: %g is not a finite number", key, value);
-    *load = value;
-    mpm_take_schedule(mpm);
-    return true;
-}
-
-static const Method method = {MPM_METHOD, .on_request = mpm_on_request, .small = mpm_small, .change = change};
-
-/* Numbers of the model that follow from the definition: counts, m = rho dx/P, dt = courant dx/c with c =
- * sqrt(E/rho) (eq. 21; of two materials the faster), supports and the particles under traction (eq. 11). The
- * mesh has `padding` cells beyond each free end. A node that is not heavier than 1e-12 of a full cell is
- * inactive; a larger threshold would be seen in the results (1e-3 changes them visibly). */
 /* Particles that are worked on together, so many that they are read ahead where there are many. */
 static int chunk_of(int particles)
 {
@@ -97,9 +30,12 @@ static int chunk_of(int particles)
     return chunk < 512 ? 512 : chunk > 4096 ? 4096 : chunk;
 }
 
-static void derive(Mpm *mpm)
+/* Counts, m = rho dx/P, supports and the particles under traction (eq. 11). The mesh has `padding` cells
+ * beyond each free end. A node that is not heavier than 1e-12 of a full cell is inactive; a larger threshold
+ * would be seen in the results (1e-3 changes them visibly). */
+void bar_derive(Mpm *mpm)
 {
-    BarDef *def = &mpm->bar;
+    MpmDef *def = &mpm->def;
     /* a joint between equals is none: the sums of a row would have two parts, and another last digit */
     if (def->joint_modulus == def->youngs_modulus && def->joint_density == def->density)
         def->joint = 0.0;
@@ -107,7 +43,6 @@ static void derive(Mpm *mpm)
     bool right = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED;
     const int P = def->particles_per_cell, places = (int)round(def->length / def->cell_size);
     const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
-    mpm->dim = 1;
     /* a quadratic B-spline about a node is the hat's mean over a cell */
     const bool mean = def->shape == MPM_UNIFORM2, uniform = mean || def->shape == MPM_UNIFORM3;
     mpm->shape = mean ? MPM_GIMP : uniform ? MPM_BSPLINE3 : def->shape;
@@ -130,7 +65,7 @@ static void derive(Mpm *mpm)
     mpm->n_chunks = (mpm->n_particles + chunk_of(mpm->n_particles) - 1) / chunk_of(mpm->n_particles);
 
     mpm->dx = def->length / places;
-    double speed = sqrt(def->youngs_modulus / def->density), lightest = def->density;
+    double lightest = def->density;
     mpm->joint = mpm->n_particles;
     mpm->mass[0] = def->density * mpm->dx / P;
     mpm->modulus[0] = def->youngs_modulus;
@@ -138,10 +73,8 @@ static void derive(Mpm *mpm)
         mpm->joint = (int)round(def->joint / mpm->dx) * P;
         mpm->mass[1] = def->joint_density * mpm->dx / P;
         mpm->modulus[1] = def->joint_modulus;
-        speed = fmax(speed, sqrt(def->joint_modulus / def->joint_density));
         lightest = fmin(lightest, def->joint_density);
     }
-    mpm->dt = def->courant * mpm->dx / speed;
     if (mistake && (mistake->does & WRONG_MASS_OF_CELL))
         mpm->mass[0] = def->density * mpm->dx;
     mpm->floor = 1e-12 * lightest * mpm->dx;
@@ -158,7 +91,7 @@ static void derive(Mpm *mpm)
  * the grid can change, and it would stay there for ever. */
 static bool begin_stress(Mpm *mpm, Status *status)
 {
-    const BarDef *def = &mpm->bar;
+    const MpmDef *def = &mpm->def;
     const int P = def->particles_per_cell;
     for (int first = 0; def->initial_stress && first < mpm->n_particles; first += P) {
         double sum = 0.0;
@@ -177,25 +110,16 @@ enum { PARTICLES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a
 
 /* The state at t = 0: v by eq. 19, volume m/rho, stress 0 or that of a pulse; APIC's slopes C = dv0/dx, since
  * from C = 0 it loses energy in the first step (a quarter of it for the paper's mode 10). */
-static bool begin(Mpm *mpm, Status *status)
+bool bar_begin(Mpm *mpm, Status *status)
 {
-    const BarDef *def = &mpm->bar;
+    const MpmDef *def = &mpm->def;
     const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     const bool at_centres = mistake && (mistake->does & WRONG_STARTS_AT_CENTRES);
     const int P = def->particles_per_cell;
-    *mpm->head = (MpmHead){.algorithm = def->algorithm,
-                           .transfer = def->transfer,
-                           .flip_fraction = def->flip_fraction,
-                           .body_force = def->body_force,
-                           .traction = def->traction,
-                           .mass_blend = blend_of(def, def->mass_blend),
-                           .fmpm_order = def->fmpm_order,
-                           .mistake = def->mistake};
     const int chunk = chunk_of(mpm->n_particles);
-    for (int k = 0; k < mpm->n_chunks; k++) { /* even ones first: engine.h */
-        const int even = (mpm->n_chunks + 1) / 2, which = k < even ? 2 * k : 2 * (k - even) + 1;
-        const int first = which * chunk, rest = mpm->n_particles - first;
-        mpm->chunks[k] = (MpmChunk){first, rest < chunk ? rest : chunk, 1, 0};
+    for (int k = 0; k < mpm->n_chunks; k++) {
+        const int first = k * chunk, rest = mpm->n_particles - first;
+        mpm_put_chunk(mpm, k, (MpmChunk){first, rest < chunk ? rest : chunk, 1, 0});
     }
     double moment = 0.0;
     for (int p = 0; p < mpm->n_particles; p++) {
@@ -221,14 +145,4 @@ static bool begin(Mpm *mpm, Status *status)
     if (!isfinite(mpm->energy_start))
         return status_refuse(status, "initial.velocity: the kinetic energy is not a finite number");
     return true;
-}
-
-Simulation *bar_create(const BarDef *definition, Status *status)
-{
-    static const MpmMaker maker = {"bar", &method, HAS_LINE | HAS_MESH, derive, begin, mpm_set_series};
-    ASSERT(bar_check(definition, NULL));
-    Mpm *mpm = calloc(1, sizeof *mpm);
-    if (mpm)
-        mpm->bar = *definition;
-    return mpm_create(mpm, &maker, (int[]){definition->mistake, definition->mistake_beside}, 1, status);
 }

@@ -1,136 +1,154 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bodies are made and changed. Particles are the centres ((i + 1/2) d, (j + 1/2) d), d = dx/P, of one lattice
- * that lie in a body; m = rho d^2, V = d^2, v = v0 + w x (X - c). With APIC a body starts with its gradient
- * of velocity, B = C D: with B = 0 a disc of three cells would lose a tenth of its spin in the first step.
- * The grid begins BODIES_PADDING cells before the box and ends as many behind it. */
+/* Bodies: their numbers, and their particles at t = 0, the centres ((i + 1/2) d, (j + 1/2) d), d = dx/P, of
+ * one lattice that lie in a body; m = rho d^2, V = d^2, v = v0 + w x (X - c). With APIC a body starts with
+ * its gradient of velocity, B = C D: with B = 0 a disc of three cells would lose a tenth of its spin in the
+ * first step. The grid begins BODIES_PADDING cells before the box and ends as many behind it. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/engine.h"
 
-#include <stdlib.h>
-#include <string.h>
+const char *const bodies_walls[WALLS] = {"left", "right", "bottom", "top"};
 
-/* --- what is constant ----------------------------------------------------------------------------- */
+/* --- shapes --------------------------------------------------------------------------------------- */
 
-/* Calls `take` for each particle of a body in their order: rows from below, in a row from the left. */
-static int each_particle(const Mpm *mpm, const BodyDef *body, void (*take)(Mpm *, int, double, double),
-                         Mpm *to, int next)
+void bodies_centre(const BodyDef *body, double centre[2])
 {
-    const double d = mpm->spacing;
+    const bool block = body->shape == BODY_BLOCK;
+    for (int axis = 0; axis < 2; axis++)
+        centre[axis] = block ? 0.5 * (body->size[axis] + body->size[2 + axis]) : body->size[axis];
+}
+
+void bodies_bounds(const BodyDef *body, double low[2], double high[2])
+{
+    const double radius = body->size[body->shape == BODY_RING ? 3 : 2];
+    for (int axis = 0; axis < 2; axis++) {
+        const bool block = body->shape == BODY_BLOCK;
+        low[axis] = block ? body->size[axis] : body->size[axis] - radius;
+        high[axis] = block ? body->size[2 + axis] : body->size[axis] + radius;
+    }
+}
+
+bool bodies_hold(const BodyDef *body, double x, double y)
+{
+    const double *const size = body->size;
+    if (body->shape == BODY_BLOCK)
+        return x > size[0] && x < size[2] && y > size[1] && y < size[3];
+    const double X = x - size[0], Y = y - size[1], squared = X * X + Y * Y;
+    return body->shape == BODY_DISC ? squared < size[2] * size[2]
+                                    : squared > size[2] * size[2] && squared < size[3] * size[3];
+}
+
+int bodies_body_of(const Mpm *mpm, int particle)
+{
+    int body = 0;
+    while (mpm->first[body + 1] <= particle)
+        body++;
+    return body;
+}
+
+void bodies_each_particle(const MpmDef *def, int body, void (*take)(void *context, double x, double y),
+                          void *context)
+{
+    const double d = def->cell_size / def->particles_per_cell;
     double low[2], high[2];
-    bodies_bounds(body, low, high);
+    bodies_bounds(&def->bodies[body], low, high);
     for (long j = (long)floor(low[1] / d) - 1; j <= (long)ceil(high[1] / d); j++)
         for (long i = (long)floor(low[0] / d) - 1; i <= (long)ceil(high[0] / d); i++) {
             const double x = ((double)i + 0.5) * d, y = ((double)j + 0.5) * d;
-            if (!bodies_hold(body, x, y))
-                continue;
-            if (take)
-                take(to, next, x, y);
-            next++;
+            if (bodies_hold(&def->bodies[body], x, y))
+                take(context, x, y);
         }
-    return next;
 }
 
-/* At most so many chunks: some rows of a body each. */
-static int count_chunks(const Bodies *bodies, double dx)
+/* --- what is constant ----------------------------------------------------------------------------- */
+
+/* Rows of particles within as many rows of cells are a chunk of a body: how many there are, and where its
+ * last particle was. */
+typedef struct Counted {
+    double height, row;
+    int particles, chunks;
+} Counted;
+
+static void count_particle(void *context, double x, double y)
 {
-    int count = 0;
-    for (int k = 0; k < bodies->def.n_bodies; k++) {
-        double low[2], high[2];
-        bodies_bounds(&bodies->def.bodies[k], low, high);
-        count += (int)((high[1] - low[1]) / (BODIES_CHUNK_CELLS * dx)) + 2;
-    }
-    return count;
+    Counted *counted = context;
+    const double row = floor(y / counted->height);
+    (void)x;
+    counted->chunks += row != counted->row;
+    counted->row = row;
+    counted->particles++;
 }
 
-static void derive(Mpm *mpm)
+void bodies_derive(Mpm *mpm)
 {
-    Bodies *bodies = mpm->bodies;
-    const BodiesDef *def = &bodies->def;
-    const double nu = def->poisson, E = def->youngs_modulus;
-    mpm->dim = 2;
-    mpm->shape = def->shape;
-    mpm->support = shape_support(def->shape);
+    const MpmDef *def = &mpm->def;
     mpm->dx = def->cell_size;
-    mpm->dt = bodies_step(def);
     mpm->spacing = mpm->dx / def->particles_per_cell;
-    bodies->volume = mpm->spacing * mpm->spacing;
-    mpm->mass[0] = def->density * bodies->volume;
+    mpm->volume_start = mpm->spacing * mpm->spacing;
+    mpm->mass[0] = def->density * mpm->volume_start;
     mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
     mpm->half = 0.5 / def->particles_per_cell;
-    bodies->columns = (int)lround(def->width / mpm->dx);
-    bodies->rows = (int)lround(def->height / mpm->dx);
-    bodies->n_fields = def->fields == FIELDS_EACH ? def->n_bodies : 1;
-    mpm->gx = bodies->columns + 2 * BODIES_PADDING + 1;
-    mpm->gy = bodies->rows + 2 * BODIES_PADDING + 1;
+    mpm->box[0] = (int)lround(def->length / mpm->dx);
+    mpm->box[1] = (int)lround(def->height / mpm->dx);
+    mpm->n_fields = def->fields == FIELDS_EACH ? def->n_bodies : 1;
+    mpm->gx = mpm->box[0] + 2 * BODIES_PADDING + 1;
+    mpm->gy = mpm->box[1] + 2 * BODIES_PADDING + 1;
     mpm->grid_nodes = mpm->gx * mpm->gy;
-    mpm->n_nodes = bodies->n_fields * mpm->grid_nodes;
+    mpm->n_nodes = mpm->n_fields * mpm->grid_nodes;
     mpm->cells = 1 << 30; /* no spline is an end's */
     mpm->edge = def->shape == MPM_GIMP ? -mpm->half : def->shape == MPM_BSPLINE2 ? -0.5 : 0.0;
     mpm->xmin = mpm->ymin = -BODIES_PADDING * mpm->dx;
     for (int axis = 0; axis < 2; axis++) { /* a particle may be 2.5 cells outside the box */
         mpm->low[axis] = BODIES_PADDING - 2.5 + mpm->edge;
-        mpm->high[axis] = BODIES_PADDING + (axis ? bodies->rows : bodies->columns) + 2.5 + mpm->edge;
+        mpm->high[axis] = BODIES_PADDING + mpm->box[axis] + 2.5 + mpm->edge;
     }
-    bodies->shear = mpm->shear = E / (2 * (1 + nu));
-    mpm->turn = def->rotation == ROTATION_NONE || bodies_does(bodies, BODIES_NO_ROTATION) ? 0
-                : bodies_does(bodies, BODIES_SPIN_SIGN)                                   ? -0.25
-                                                                                          : 0.25;
-    mpm->slide = bodies->shear * (bodies_does(bodies, BODIES_TENSOR_SHEAR) ? 0.5 : 1);
-    mpm->keeps_volume = bodies_does(bodies, BODIES_VOLUME_KEPT);
-    bodies->lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
-    mpm->D11 = def->plane == PLANE_STRESS ? E / (1 - nu * nu) : bodies->lambda + 2 * bodies->shear;
-    mpm->D12 = def->plane == PLANE_STRESS ? nu * mpm->D11 : bodies->lambda;
-    for (int k = 0; k < def->n_bodies; k++)
-        bodies->first[k + 1] = each_particle(mpm, &def->bodies[k], NULL, NULL, bodies->first[k]);
-    mpm->joint = mpm->n_particles = bodies->first[def->n_bodies];
-    mpm->n_chunks = count_chunks(bodies, mpm->dx);
+    if (bodies_does(mpm, BODIES_NO_ROTATION) || bodies_does(mpm, BODIES_SPIN_SIGN))
+        mpm->turn = bodies_does(mpm, BODIES_SPIN_SIGN) ? -mpm->turn : 0;
+    mpm->slide = mpm->shear * (bodies_does(mpm, BODIES_TENSOR_SHEAR) ? 0.5 : 1);
+    mpm->keeps_volume = bodies_does(mpm, BODIES_VOLUME_KEPT);
+    Counted counted = {.height = BODIES_CHUNK_CELLS * mpm->dx};
+    for (int k = 0; k < def->n_bodies; k++) {
+        counted.row = NAN;
+        bodies_each_particle(def, k, count_particle, &counted);
+        mpm->first[k + 1] = counted.particles;
+    }
+    mpm->joint = mpm->n_particles = counted.particles;
+    mpm->n_chunks = counted.chunks;
 }
 
-/* --- chunks: some rows of a body each --------------------------------------------------------------- */
-
-/* Particles of a body in rows of as many cells; from which particle on the next ones are. */
-static int chunk_end(const Mpm *mpm, int first, int end)
+/* Some rows of a body each. */
+static void make_chunks(Mpm *mpm)
 {
-    const double height = BODIES_CHUNK_CELLS * mpm->dx;
-    const double row = floor(mpm->at[1][first] / height);
-    while (first < end && floor(mpm->at[1][first] / height) == row)
-        first++;
-    return first;
-}
-
-/* Of at most as many as were counted; even ones first: engine.h. */
-static bool make_chunks(Mpm *mpm)
-{
-    const Bodies *bodies = mpm->bodies;
-    MpmChunk *all = calloc((size_t)mpm->n_chunks, sizeof *all);
+    const double height = BODIES_CHUNK_CELLS * mpm->dx, *const y = mpm->at[1];
     int count = 0;
-    for (int k = 0; all && k < bodies->def.n_bodies; k++)
-        for (int p = bodies->first[k], end; p < bodies->first[k + 1]; p = end) {
-            end = chunk_end(mpm, p, bodies->first[k + 1]);
-            ASSERT_INDEX(count, mpm->n_chunks);
-            all[count++] = (MpmChunk){p, end - p, 1, 0};
+    for (int k = 0; k < mpm->def.n_bodies; k++)
+        for (int p = mpm->first[k], end; p < mpm->first[k + 1]; p = end) {
+            for (end = p; end < mpm->first[k + 1] && floor(y[end] / height) == floor(y[p] / height);)
+                end++;
+            mpm_put_chunk(mpm, count++, (MpmChunk){p, end - p, 1, 0});
         }
-    if (!all)
-        return false;
-    mpm->n_chunks = count;
-    mpm->sim.stage_items = (size_t)count;
-    for (int k = 0; k < count; k++)
-        mpm->chunks[k] = all[k < (count + 1) / 2 ? 2 * k : 2 * (k - (count + 1) / 2) + 1];
-    free(all);
-    return true;
+    ASSERT_INT(count, ==, mpm->n_chunks);
 }
 
 /* --- particles at t = 0 ----------------------------------------------------------------------------- */
 
-static void place(Mpm *mpm, int p, double x, double y)
+/* Puts the next particle to a place. */
+typedef struct Placed {
+    Mpm *mpm;
+    int next;
+} Placed;
+
+static void place(void *context, double x, double y)
 {
+    Placed *placed = context;
+    Mpm *mpm = placed->mpm;
     const double at[2] = {x, y};
+    const int p = placed->next++;
     for (int axis = 0; axis < 2; axis++) {
         mpm->at[axis][p] = at[axis];
         mpm->rest[axis][p] = at[axis] / mpm->dx + BODIES_PADDING + mpm->edge;
     }
-    mpm->volume[p] = mpm->bodies->volume;
+    mpm->volume[p] = mpm->volume_start;
     for (int k = 0; bodies_are_neo(mpm) && k < 4; k++)
         mpm->deformation[k][p] = k == 0 || k == 3;
 }
@@ -175,9 +193,9 @@ static void set_moving(Mpm *mpm, BodiesField *field, const void *context, int p)
 /* By what a run that grows without bound is known. */
 static void note_energy(Mpm *mpm)
 {
-    const BodiesDef *def = &mpm->bodies->def;
+    const MpmDef *def = &mpm->def;
     const double fall = sqrt(def->gravity[0] * def->gravity[0] + def->gravity[1] * def->gravity[1]) *
-                        (def->width + def->height);
+                        (def->length + def->height);
     mpm->energy_start = bodies_energy(mpm) + mpm->mass[0] * mpm->n_particles * fall;
 }
 
@@ -193,9 +211,9 @@ void bodies_begin_with(Simulation *sim, BodiesField *field, const void *context)
 /* Of each particle the one above it: a row of a body is from the left, and the next row follows it. */
 static void find_neighbours(Mpm *mpm)
 {
-    for (int body = 0; body < mpm->bodies->def.n_bodies; body++) {
-        const int end = mpm->bodies->first[body + 1];
-        int q = mpm->bodies->first[body];
+    for (int body = 0; body < mpm->def.n_bodies; body++) {
+        const int end = mpm->first[body + 1];
+        int q = mpm->first[body];
         for (int p = q; p < end; p++) {
             const double x = mpm->at[0][p] - 0.5 * mpm->spacing, y = mpm->at[1][p] + 0.5 * mpm->spacing;
             while (q < end && (mpm->at[1][q] < y || (mpm->at[1][q] < y + mpm->spacing && mpm->at[0][q] < x)))
@@ -207,72 +225,24 @@ static void find_neighbours(Mpm *mpm)
     }
 }
 
-static bool begin(Mpm *mpm, Status *status)
+bool bodies_begin(Mpm *mpm, Status *status)
 {
-    const Bodies *bodies = mpm->bodies;
-    const BodiesDef *def = &bodies->def;
-    *mpm->head = (MpmHead){.algorithm = def->algorithm,
-                           .transfer = def->transfer,
-                           .flip_fraction = def->flip_fraction,
-                           .mass_blend = 1};
+    const MpmDef *def = &mpm->def;
+    Placed placed = {mpm, 0};
     for (int k = 0; k < def->n_bodies; k++) {
         if (cancel_requested(&def->cancel, (double)k / def->n_bodies))
             return status_fail(status, "the building of the bodies was cancelled");
-        each_particle(mpm, &def->bodies[k], place, mpm, bodies->first[k]);
-        for (int p = bodies->first[k]; p < bodies->first[k + 1]; p++)
-            mpm->field[p] = bodies->n_fields > 1 ? k * mpm->grid_nodes : 0;
+        bodies_each_particle(def, k, place, &placed);
+        for (int p = mpm->first[k]; p < mpm->first[k + 1]; p++)
+            mpm->field[p] = mpm->n_fields > 1 ? k * mpm->grid_nodes : 0;
     }
     find_neighbours(mpm);
-    if (!make_chunks(mpm))
-        return status_fail(status, "not enough memory for the bodies");
+    make_chunks(mpm);
     mpm_find_all(mpm);
     for (int k = 0; k < def->n_bodies; k++)
-        for (int p = bodies->first[k]; p < bodies->first[k + 1]; p++)
+        for (int p = mpm->first[k]; p < mpm->first[k + 1]; p++)
             set_moving(mpm, start_of, &def->bodies[k], p);
     note_energy(mpm);
     return isfinite(mpm->energy_start) ||
            status_refuse(status, "bodies: their energy is not a finite number");
-}
-
-/* --- made and changed ------------------------------------------------------------------------------- */
-
-/* A live parameter, between steps only: it belongs to the state, so a snapshot brings back its own. */
-static bool change(Simulation *sim, const char *key, double value, Status *status)
-{
-    Mpm *mpm = mpm_of(sim);
-    ASSERT_INT(sim->stage, ==, 0);
-    const bool whole = value >= 0 && value == floor(value);
-    if (strcmp(key, "mpm.algorithm") == 0 && whole && value <= MPM_MUSL)
-        mpm->head->algorithm = (MpmAlgorithm)value;
-    else if (strcmp(key, "mpm.transfer") == 0 && whole && value <= MPM_APIC) {
-        for (int k = 0; mpm->head->transfer != (MpmTransfer)value && k < 4; k++)
-            memset(mpm->rate[k], 0,
-                   (size_t)mpm->n_particles * sizeof(double)); /* the gradient is not known */
-        mpm->head->transfer = (MpmTransfer)value;
-    } else if (strcmp(key, "mpm.flip_fraction") == 0 && value >= 0 && value <= 1)
-        mpm->head->flip_fraction = value;
-    else
-        return status_refuse(status, "%s: cannot be changed to %g in mid-run", key, value);
-    mpm_take_schedule(mpm);
-    return true;
-}
-
-static const char *const on_request[] = {".touching", NULL};
-
-static const Method method = {MPM_METHOD, .on_request = on_request, .change = change};
-
-Simulation *bodies_create(const BodiesDef *definition, Status *status)
-{
-    static const MpmMaker maker = {"bodies", &method, HAS_MESH | HAS_BODIES,
-                                   derive,   begin,   bodies_set_series};
-    ASSERT(bodies_check(definition, NULL));
-    struct {
-        Mpm mpm;
-        Bodies bodies;
-    } *both = calloc(1, sizeof *both);
-    if (both) {
-        both->mpm.bodies = &both->bodies;
-        both->bodies.def = *definition;
-    }
-    return mpm_create(both ? &both->mpm : NULL, &maker, (int[2]){0}, definition->threads, status);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The mistakes of a code for bodies, one a row: what differs stands between » and «. What each does is asked
  * by the stages (bodies_does). */
-#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/engine.h"
 
 /* What a mistake is defined for. */
 enum { ONLY_TURNING = 1, ONLY_HYPOELASTIC = 2, ONLY_CONTACT = 4, ONLY_PLAIN_FLIP = 8, ONLY_TOUCHING = 16 };
@@ -13,7 +13,7 @@ typedef struct BodiesMistakeRow {
     unsigned only;
 } BodiesMistakeRow;
 
-const char *const bodies_mistake_words[BODIES_MISTAKES + 1] = {
+const char *const bodies_mistake_words[] = {
     [BODIES_RIGHT] = "none",
     [BODIES_SPIN_SIGN] = "spin_sign",
     [BODIES_NO_ROTATION] = "no_rotation",
@@ -22,6 +22,7 @@ const char *const bodies_mistake_words[BODIES_MISTAKES + 1] = {
     [BODIES_NORMAL_OF_ONE] = "normal_of_one",
     [BODIES_START_AFTER_CONTACT] = "start_after_contact",
     [BODIES_NO_FIRST_FIX] = "no_first_fix",
+    NULL,
 };
 
 static const BodiesMistakeRow mistakes[BODIES_MISTAKES] = {
@@ -48,7 +49,7 @@ const char *bodies_mistake_sentence(int mistake)
     return mistake > 0 && mistake < BODIES_MISTAKES ? mistakes[mistake].sentence : NULL;
 }
 
-static bool touches(const BodiesDef *def)
+static bool touches(const MpmDef *def)
 {
     bool any = def->n_bodies > 1;
     for (int wall = 0; wall < WALLS; wall++)
@@ -56,7 +57,7 @@ static bool touches(const BodiesDef *def)
     return any;
 }
 
-static const char *missing_for(const BodiesDef *def, unsigned only)
+static const char *missing_for(const MpmDef *def, unsigned only)
 {
     const bool hypoelastic = def->law == LAW_HYPOELASTIC;
     return only & (ONLY_TURNING | ONLY_HYPOELASTIC) && !hypoelastic   ? "material.law = hypoelastic"
@@ -68,7 +69,7 @@ static const char *missing_for(const BodiesDef *def, unsigned only)
                                                                  : NULL;
 }
 
-bool bodies_mistake_check(const BodiesDef *def, Status *status)
+bool bodies_mistake_check(const MpmDef *def, Status *status)
 {
     const int made[2] = {def->mistake, def->mistake_beside};
     if (made[1] != 0 &&
@@ -88,8 +89,8 @@ bool bodies_mistake_check(const BodiesDef *def, Status *status)
 
 void bodies_write_wrongly(const Mpm *mpm, MpmOp op, Stage *stage)
 {
-    const int mistake = mpm->bodies->def.mistake;
-    if (mistake == 0 || mpm->bodies->def.conceals_mistake || mistakes[mistake].stage != op)
+    const int mistake = mpm->def.mistake;
+    if (mistake == 0 || mpm->def.conceals_mistake || mistakes[mistake].stage != op)
         return;
     stage->equation = mistakes[mistake].equation;
     stage->source = bodies_mistake_words[mistake];

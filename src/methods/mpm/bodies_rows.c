@@ -9,21 +9,20 @@
  *     angular    about the middle of the box: sum m (x - c) x v, with APIC + sum m (B_yx - B_xy)
  *     NAME.spin  the body's own angular momentum, without B, over its own moment of inertia */
 #include "base/math/functions.h"
-#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/engine.h"
 
 #include <stdio.h>
 #include <string.h>
 
 double bodies_strain_at(const Mpm *mpm, int p)
 {
-    const Bodies *bodies = mpm->bodies;
-    const double G = bodies->shear;
+    const double G = mpm->shear;
     if (bodies_are_neo(mpm)) {
         const double F[4] = {mpm->deformation[0][p], mpm->deformation[1][p], mpm->deformation[2][p],
                              mpm->deformation[3][p]};
         const double trace = F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3];
         const double swell = math_log(F[0] * F[3] - F[1] * F[2]);
-        return bodies->volume * (0.5 * G * (trace - 2.0) - G * swell + 0.5 * bodies->lambda * swell * swell);
+        return mpm->volume_start * (0.5 * G * (trace - 2.0) - G * swell + 0.5 * mpm->lambda * swell * swell);
     }
     const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
     const double whole = mpm->D11 * mpm->D11 - mpm->D12 * mpm->D12;
@@ -35,7 +34,7 @@ double bodies_strain_at(const Mpm *mpm, int p)
  * then: hats from lambda = P on, boxes from P + 1, splines from 2 P. */
 static double torn_stretch(const Mpm *mpm)
 {
-    const int P = mpm->bodies->def.particles_per_cell;
+    const int P = mpm->def.particles_per_cell;
     return mpm->shape == MPM_HAT ? P : mpm->shape == MPM_GIMP ? P + 1 : 2 * P;
 }
 
@@ -120,7 +119,7 @@ static double time_of(const Simulation *sim, long step)
     return step > 0 ? (double)step * sim->dt : NAN;
 }
 
-static bool spins_alone(const BodiesDef *def)
+static bool spins_alone(const MpmDef *def)
 {
     return def->n_bodies == 1 && def->bodies[0].shape == BODY_DISC && def->bodies[0].spin != 0.0;
 }
@@ -141,7 +140,7 @@ static double inertia(const Mpm *mpm, bool now)
 
 void bodies_note_spin(Mpm *mpm)
 {
-    if (!spins_alone(&mpm->bodies->def))
+    if (!spins_alone(&mpm->def))
         return;
     double pull = 0.0;
     for (int p = 0; p < mpm->n_particles; p++)
@@ -153,8 +152,8 @@ void bodies_note_spin(Mpm *mpm)
 BodiesSeen bodies_seen(const Simulation *sim)
 {
     const Mpm *mpm = mpm_of_const(sim);
-    const bool spins = spins_alone(&mpm->bodies->def) && sim->step > 0;
-    const double steps = (double)sim->step, area = mpm->bodies->volume * mpm->n_particles;
+    const bool spins = spins_alone(&mpm->def) && sim->step > 0;
+    const double steps = (double)sim->step, area = mpm->volume_start * mpm->n_particles;
     int at = 0;
     return (BodiesSeen){time_of(sim, mpm->head->met),
                         time_of(sim, mpm->head->hit),
@@ -167,9 +166,9 @@ BodiesSeen bodies_seen(const Simulation *sim)
 void bodies_tip(const Simulation *sim, double tip[2])
 {
     const Mpm *mpm = mpm_of_const(sim);
-    const double *const size = mpm->bodies->def.bodies[0].size, d = mpm->spacing;
+    const double *const size = mpm->def.bodies[0].size, d = mpm->spacing;
     double weight = 0.0, sum[2] = {0};
-    for (int p = 0; p < mpm->bodies->first[1]; p++) {
+    for (int p = 0; p < mpm->first[1]; p++) {
         /* the two rows next to the middle, or that in it; of columns u_last + (u_last - u_before)/2 */
         const double column = size[2] - mpm->at[0][p], row = mpm->at[1][p] - 0.5 * (size[1] + size[3]);
         if (column > 2.0 * d || fabs(row) > 0.75 * d)
@@ -207,19 +206,18 @@ static void add_column(Mpm *mpm, int body, int k)
                    {"vy", "length/time", "mean velocity along y of "},
                    {"spin", "rad/time", "angular momentum over moment of inertia of "},
                    {"touching", "1", "1: a wall or another body is pushed in the step by "}};
-    Bodies *bodies = mpm->bodies;
-    char *name = bodies->column_names[body][k], *meaning = bodies->column_meanings[body][k];
+    char *name = mpm->column_names[body][k], *meaning = mpm->column_meanings[body][k];
     char of[BODY_NAME_MAX]; /* or gcc fears that the text overlaps itself */
-    memcpy(of, bodies->def.bodies[body].name, sizeof of);
-    snprintf(name, sizeof bodies->column_names[body][k], "%s.%s", of, of_body[k].name);
-    snprintf(meaning, sizeof bodies->column_meanings[body][k], "%s%s", of_body[k].meaning, of);
+    memcpy(of, mpm->def.bodies[body].name, sizeof of);
+    snprintf(name, sizeof mpm->column_names[body][k], "%s.%s", of, of_body[k].name);
+    snprintf(meaning, sizeof mpm->column_meanings[body][k], "%s%s", of_body[k].meaning, of);
     mpm->series_entry[mpm->sim.n_series] = mpm->sim.n_series;
     mpm->series[mpm->sim.n_series++] = (Quantity){name, name, of_body[k].unit, meaning};
 }
 
 void bodies_set_series(Mpm *mpm)
 {
-    const int n = mpm->bodies->def.n_bodies;
+    const int n = mpm->def.n_bodies;
     Simulation *sim = &mpm->sim;
     for (int k = 0; k < BODIES_X; k++)
         mpm->series[sim->n_series++] = quantities[k];
@@ -227,7 +225,7 @@ void bodies_set_series(Mpm *mpm)
         for (int k = 0; k < BODY_COLUMNS; k++)
             add_column(mpm, body, k);
     /* of bodies in one field nothing shows which of them acts */
-    for (int body = 0; body < n && (n == 1 || mpm->bodies->n_fields > 1); body++)
+    for (int body = 0; body < n && (n == 1 || mpm->n_fields > 1); body++)
         add_column(mpm, body, BODY_TOUCHING);
     sim->series = sim->series_asked = mpm->series;
     sim->series_entry = mpm->series_entry;
@@ -255,21 +253,20 @@ static bool is_touching(const Mpm *mpm, int body)
 void bodies_row(const Simulation *sim, double *row)
 {
     const Mpm *mpm = mpm_of_const(sim);
-    const Bodies *bodies = mpm->bodies;
-    const BodiesDef *def = &bodies->def;
+    const MpmDef *def = &mpm->def;
     const double m = mpm->mass[0];
     double affine = 0.0;
     for (int k = 0; k < BODIES_X; k++)
         row[k] = 0.0;
     for (int body = 0; body < def->n_bodies; body++) {
-        const int first = bodies->first[body], end = bodies->first[body + 1];
+        const int first = mpm->first[body], end = mpm->first[body + 1];
         const Sums sum = sum_particles(mpm, first, end);
         row[BODIES_KINETIC] += 0.5 * m * sum.squares;
         row[BODIES_STRAIN] += sum.strain;
         row[BODIES_POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
         row[BODIES_MOMENTUM_X] += m * sum.vx;
         row[BODIES_MOMENTUM_Y] += m * sum.vy;
-        row[BODIES_ANGULAR] += m * (sum.turn - 0.5 * (def->width * sum.vy - def->height * sum.vx));
+        row[BODIES_ANGULAR] += m * (sum.turn - 0.5 * (def->length * sum.vy - def->height * sum.vx));
         affine += m * sum.affine;
         write_body(&sum, end - first, row + BODIES_X + body * BODY_COLUMNS);
     }
@@ -282,7 +279,7 @@ void bodies_row(const Simulation *sim, double *row)
 
 void bodies_write_row(const Mpm *mpm, double *row)
 {
-    const int first = BODIES_X + mpm->bodies->def.n_bodies * BODY_COLUMNS;
+    const int first = BODIES_X + mpm->def.n_bodies * BODY_COLUMNS;
     bodies_row(&mpm->sim, row);
     for (int k = first; k < mpm->sim.n_series; k++)
         row[k] = is_touching(mpm, mpm->series_entry[k] - first);

@@ -15,20 +15,18 @@
  * Bardenhagen, Brackbill, Sulsky 2000; the gap after Nairn 2013. Contact keeps momentum and the grid's
  * angular momentum exactly. Energy that friction takes: impulse times the mean of the relative tangential
  * velocities before and after. */
-#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/engine.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 bool bodies_at_wall(const Mpm *mpm, int node)
 {
-    const Bodies *bodies = mpm->bodies;
     const int place = node % mpm->grid_nodes;
     const int i = place % mpm->gx - BODIES_PADDING, j = place / mpm->gx - BODIES_PADDING;
-    const bool at[WALLS] = {i <= 0, i >= bodies->columns, j <= 0, j >= bodies->rows};
+    const bool at[WALLS] = {i <= 0, i >= mpm->box[0], j <= 0, j >= mpm->box[1]};
     for (int wall = 0; wall < WALLS; wall++)
-        if (at[wall] && bodies->def.walls[wall] != WALL_OPEN)
+        if (at[wall] && mpm->def.walls[wall] != WALL_OPEN)
             return true;
     return false;
 }
@@ -38,7 +36,7 @@ static double hold(Mpm *mpm, int node, int wall, double place)
 {
     const int axis = wall / 2;
     double *const normal = &mpm->momentum[axis][node], *const along = &mpm->momentum[1 - axis][node];
-    const BodiesDef *def = &mpm->bodies->def;
+    const MpmDef *def = &mpm->def;
     if (def->walls[wall] == WALL_CLAMP) {
         *normal = *along = 0.0;
         mpm->start[0][node] = mpm->start[1][node] = 0.0;
@@ -60,16 +58,14 @@ static double hold(Mpm *mpm, int node, int wall, double place)
 
 static void hold_walls(Mpm *mpm, int node, int grid_node)
 {
-    const Bodies *bodies = mpm->bodies;
-    const int cells[2] = {bodies->columns, bodies->rows};
     const int at[2] = {grid_node % mpm->gx - BODIES_PADDING, grid_node / mpm->gx - BODIES_PADDING};
     double lost = 0.0;
     for (int wall = 0; wall < WALLS; wall++) {
         const int axis = wall / 2, far = wall % 2;
-        const BodyWall kind = bodies->def.walls[wall];
-        if (kind == WALL_OPEN || !(far ? at[axis] >= cells[axis] : at[axis] <= 0))
+        const BodyWall kind = mpm->def.walls[wall];
+        if (kind == WALL_OPEN || !(far ? at[axis] >= mpm->box[axis] : at[axis] <= 0))
             continue;
-        const double more = hold(mpm, node, wall, far ? cells[axis] : 0.0);
+        const double more = hold(mpm, node, wall, far ? mpm->box[axis] : 0.0);
         lost = kind == WALL_CLAMP ? 0.0
                                   : lost + more; /* in a corner a clamp takes what friction took before it */
     }
@@ -84,7 +80,7 @@ Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2]
     double *const n = meeting.normal, v[2], length = 0.0;
     if (!(m[0] > mpm->floor && m[1] > mpm->floor))
         return meeting;
-    const double other = bodies_does(mpm->bodies, BODIES_NORMAL_OF_ONE) ? 0.0 : 1.0;
+    const double other = bodies_does(mpm, BODIES_NORMAL_OF_ONE) ? 0.0 : 1.0;
     for (int axis = 0; axis < 2; axis++) {
         n[axis] = mpm->normal[axis][at[0]] - other * mpm->normal[axis][at[1]];
         length += n[axis] * n[axis];
@@ -100,7 +96,7 @@ Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2]
         v[axis] = q[0][axis] / m[0] - (q[0][axis] + q[1][axis]) / both;
         meeting.approach += v[axis] * n[axis];
     }
-    const BodiesDef *def = &mpm->bodies->def;
+    const MpmDef *def = &mpm->def;
     if (meeting.distance > 2.0 * def->gap || !(meeting.approach > 0.0))
         return meeting;
     const double vn = meeting.approach, t[2] = {v[0] - vn * n[0], v[1] - vn * n[1]};
@@ -116,7 +112,7 @@ Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2]
 static void touch(Mpm *mpm, int node)
 {
     int there[BODIES_MAX], count = 0;
-    for (int field = 0; field < mpm->bodies->n_fields; field++)
+    for (int field = 0; field < mpm->n_fields; field++)
         if (mpm->node_mass[field * mpm->grid_nodes + node] > mpm->floor)
             there[count++] = field;
     for (int a = 0; a < count; a++)
@@ -155,10 +151,10 @@ static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
 
 void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 {
-    const bool idle = op == OP_FIX && bodies_does(mpm->bodies, BODIES_NO_FIRST_FIX);
+    const bool idle = op == OP_FIX && bodies_does(mpm, BODIES_NO_FIRST_FIX);
     for (int i = first; op == OP_FIX && i < end; i++)
         mpm->lost[i] = 0.0;
-    for (int field = 0; field < mpm->bodies->n_fields; field++)
+    for (int field = 0; field < mpm->n_fields; field++)
         for (int i = first; i < end; i++) {
             const int node = field * mpm->grid_nodes + i;
             const double mass = mpm->node_mass[node];
@@ -171,15 +167,15 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
             if (mass > mpm->floor && !idle)
                 hold_walls(mpm, node, i);
         }
-    for (int i = first; mpm->bodies->n_fields > 1 && !idle && i < end; i++)
+    for (int i = first; mpm->n_fields > 1 && !idle && i < end; i++)
         touch(mpm, i);
-    const bool late = op == OP_FIX && bodies_does(mpm->bodies, BODIES_START_AFTER_CONTACT);
-    for (int field = 0; late && field < mpm->bodies->n_fields; field++)
+    const bool late = op == OP_FIX && bodies_does(mpm, BODIES_START_AFTER_CONTACT);
+    for (int field = 0; late && field < mpm->n_fields; field++)
         for (int axis = 0; axis < 2; axis++)
             memcpy(mpm->start[axis] + field * mpm->grid_nodes + first,
                    mpm->momentum[axis] + field * mpm->grid_nodes + first,
                    (size_t)(end - first) * sizeof(double));
-    for (int field = 0; field < mpm->bodies->n_fields; field++)
+    for (int field = 0; field < mpm->n_fields; field++)
         find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
 }
 
@@ -199,20 +195,18 @@ static void meeting_place(const Mpm *mpm, int field, int other, double at[2])
 
 static void report_push(Mpm *mpm, int field, int other, EventKind kind)
 {
-    static const char *const walls[WALLS] = {"left", "right", "bottom", "top"};
-    const Bodies *bodies = mpm->bodies;
     const bool touches = kind == EVENT_TOUCH, is_wall = other >= BODIES_MAX;
     double at[2];
     char text[120], where[48] = "", wall[24];
     if (is_wall)
-        snprintf(wall, sizeof wall, "the %s wall", walls[other - BODIES_MAX]);
+        snprintf(wall, sizeof wall, "the %s wall", bodies_walls[other - BODIES_MAX]);
     if (touches) {
         meeting_place(mpm, field, other, at);
         snprintf(where, sizeof where, " at (%.3g, %.3g)", at[0], at[1]);
     }
     snprintf(text, sizeof text, "%s %s %s%s",
-             bodies->n_fields > 1 || bodies->def.n_bodies == 1 ? bodies->def.bodies[field].name : "a body",
-             touches ? "touches" : "leaves", is_wall ? wall : bodies->def.bodies[other].name, where);
+             mpm->n_fields > 1 || mpm->def.n_bodies == 1 ? mpm->def.bodies[field].name : "a body",
+             touches ? "touches" : "leaves", is_wall ? wall : mpm->def.bodies[other].name, where);
     batch_report(&mpm->sim, kind, text);
 }
 
@@ -245,6 +239,6 @@ void bodies_note_contact(Mpm *mpm)
     for (int i = 0; i < mpm->grid_nodes; i++)
         sum += mpm->lost[i];
     mpm->head->friction += sum;
-    for (int field = 0; field < mpm->bodies->n_fields; field++)
+    for (int field = 0; field < mpm->n_fields; field++)
         note_pushes(mpm, field);
 }

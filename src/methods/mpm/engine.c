@@ -2,10 +2,7 @@
 /* What is asked of the state in mid-step, whatever the order of the stages: which of them are done, where a
  * particle and a node are, and what a node has at present. */
 #include "base/assertion.h"
-#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
-
-#include <limits.h>
 
 size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
 {
@@ -101,10 +98,10 @@ double mpm_rest(const Mpm *mpm, int axis, int particle)
     if (mpm->bodies)
         return mpm->at[axis][particle];
     if (mpm->dim == 2)
-        return axis == 0 ? (particle % mpm->nxp + 0.5) * mpm->spacing - mpm->plane.channel
-                         : (particle / mpm->nxp + 0.5) * mpm->spacing - mpm->plane.height / 2;
-    const int P = mpm->bar.particles_per_cell;
-    return (particle / P + (particle % P + 0.5 + mpm->bar.offset) / P) * mpm->dx;
+        return axis == 0 ? (particle % mpm->nxp + 0.5) * mpm->spacing - mpm->def.channel
+                         : (particle / mpm->nxp + 0.5) * mpm->spacing - mpm->def.height / 2;
+    const int P = mpm->def.particles_per_cell;
+    return (particle / P + (particle % P + 0.5 + mpm->def.offset) / P) * mpm->dx;
 }
 
 double mpm_grid_place(const Mpm *mpm, int axis, double coordinate)
@@ -120,12 +117,32 @@ double mpm_way(const Mpm *mpm, int p)
     return ((mpm->rest[0][p] - mpm->base[p] + mpm->u[0][p] / mpm->dx) - mpm->s[0][p]) * mpm->dx;
 }
 
+/* A beam's nodes. Places are compared with a tolerance of 1e-6 dx, as nodes lie exactly on the limits.
+ * Supported: uy = 0 at the nodes of the end sections and beyond (`point`: on the mid-plane alone), ux = 0 at
+ * x <= 0 on the mid-plane. Cantilever: nodes in the channel, x <= 0 in the laboratory, uy = 0 and, with the
+ * full clamp, ux = v0 t. A wrong code may hold the nodes one further in instead. */
+static unsigned held_of_beam(const Mpm *mpm, long step, int i, int j)
+{
+    const double x = mpm->xmin + mpm_shift(mpm, step) * mpm->dx + i * mpm->dx, close = 1e-6 * mpm->dx;
+    const double in = mpm->dx, far = mpm->def.length;
+    /* of splines the nodes beyond the ends stay free: held too, they would hold the slope of the end */
+    const bool next = mpm_does(mpm, WRONG_HOLDS_NEXT),
+               there = next || (mpm->shape == MPM_BSPLINE2 && !mpm->def.leaves_channel);
+    const bool left = there ? fabs(x - (next ? in : 0.0)) <= close : x <= close;
+    const bool right = there ? fabs(x - (next ? far - in : far)) <= close : x >= far - close;
+    const bool middle = fabs(mpm->ymin + j * mpm->dx) <= close;
+    if (mpm->def.leaves_channel)
+        return (left ? HELD_Y : 0) | (left && mpm->def.clamp == CLAMP_FULL ? HELD_X : 0);
+    return (left && middle ? HELD_X : 0) |
+           ((left || right) && (middle || mpm->def.ends == PLANE_SECTION) ? HELD_Y : 0);
+}
+
 /* A bar's end nodes, and uGIMP's and CPDI's ghosts beyond them; a wrong code may hold those beside. */
 unsigned mpm_held(const Mpm *mpm, long step, int node)
 {
     ASSERT_INDEX(node, mpm->n_nodes);
     if (mpm->dim == 2)
-        return plane_held(mpm, step, node % mpm->gx, node / mpm->gx);
+        return held_of_beam(mpm, step, node % mpm->gx, node / mpm->gx);
     const int last = mpm->n_nodes - 1;
     if (mpm_does(mpm, WRONG_HOLDS_NEXT))
         return (mpm->fixed_left > 0 && node == mpm->fixed_left) ||

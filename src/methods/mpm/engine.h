@@ -20,9 +20,7 @@
 #define METHODS_MPM_ENGINE_H
 
 #include "methods/batch.h"
-#include "methods/mpm/bodies.h"
-#include "methods/mpm/mpm_bar.h"
-#include "methods/mpm/plane.h"
+#include "methods/mpm/mpm.h"
 #include "methods/mpm/shape.h"
 #include "methods/pool.h"
 
@@ -35,7 +33,11 @@ enum {
     MPM_STRESSES = 3, /* of a line one; in the plane xx, yy, xy */
     MPM_REACH_MAX = SHAPE_SUPPORT_MAX - 1,
     MPM_FIELDS = 40,
-    MPM_SERIES = 112
+    MPM_SERIES = 112,
+    BODIES_PADDING = 4,     /* empty cells all around the box of bodies */
+    BODIES_CHUNK_CELLS = 4, /* rows of cells whose particles are worked on together */
+    BODY_COLUMNS = 5,       /* of the series, for each body; then, to ask for: */
+    BODY_TOUCHING = BODY_COLUMNS
 };
 
 enum { MPM_PARTICLES, MPM_NODES, MPM_SETS };
@@ -148,7 +150,8 @@ typedef struct Mpm {
     int series_entry[MPM_SERIES];
 
     /* model: constant */
-    BarDef bar;
+    MpmDef def;
+    bool bodies;             /* it has bodies, else it is a beam or a bar */
     bool stays;              /* particles keep the nodes of their first cell (mistakes.h) */
     struct BarMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
     int dim;
@@ -166,18 +169,19 @@ typedef struct Mpm {
     double *rest[MPM_AXES];
     double speed; /* v0 with which held nodes move along x */
     double energy_start, whole_mass, x_cm_start;
-    /* of a beam: columns and rows of particles, d, the grid's first node at t = 0, plane stress, probe */
-    PlaneDef plane;
-    int nxp, nyp, probe[4];
-    double spacing, xmin, ymin;
-    /* of the plane: stress = D strain, G of the shear step (slide); of the turn of the stress with its
-     * particle (eq. 6) the half angle over dt (dv/dx - du/dy), 0: none; and a mistake */
-    double D11, D12, shear, slide, turn;
+    double spacing, volume_start; /* d, V: of particles at t = 0 */
+    double xmin, ymin;            /* of the plane, the grid's first node at t = 0 */
+    int nxp, nyp, probe[4];       /* of a beam: columns and rows of particles, those beside the probe */
+    /* of the plane: stress = D strain, G, G of the shear step (slide), Lame's lambda; of the turn of the
+     * stress with its particle (eq. 6) the half angle over dt (dv/dx - du/dy), 0: none; and a mistake */
+    double D11, D12, shear, slide, lambda, turn;
     bool keeps_volume;
-    /* of bodies (bodies_inner.h); NULL: it is a beam or a bar. Each field of velocities has nodes of its own,
-     * one grid after the other: those of field f begin at f grid_nodes. */
-    struct Bodies *bodies;
-    int grid_nodes;
+    /* of bodies: their particles are from first[body] on; cells of the box. Each field of velocities (one, or
+     * one for each body) has nodes of its own, one grid after the other: those of field f begin at f
+     * grid_nodes. */
+    int first[BODIES_MAX + 1], box[MPM_AXES], n_fields, grid_nodes;
+    char column_names[BODIES_MAX][BODY_TOUCHING + 1][BODY_NAME_MAX + 8];
+    char column_meanings[BODIES_MAX][BODY_TOUCHING + 1][BODY_NAME_MAX + 64];
     int32_t *field;         /* of each particle, the first node of its field; NULL: 0 */
     double *at[MPM_AXES];   /* its place at t = 0 */
     double *rate[4];        /* B of APIC: xx, xy, yx, yy, */
@@ -258,7 +262,7 @@ static inline double mpm_modulus(const Mpm *mpm, int particle)
 /* The way of the grid in cells when so many steps are done. */
 static inline double mpm_shift(const Mpm *mpm, long step)
 {
-    return mpm->dim == 2 ? mpm->plane.grid_velocity * ((double)step * mpm->dt) / mpm->dx : 0.0;
+    return mpm->def.grid_velocity * ((double)step * mpm->dt) / mpm->dx;
 }
 
 /* The column or row of cells of a place, from its first node along an axis. */
@@ -377,7 +381,7 @@ static inline bool mpm_moves(const Mpm *mpm, int node)
 /* Whether a load acts: only then are there external forces. */
 static inline bool mpm_is_loaded(const Mpm *mpm)
 {
-    return mpm->head->body_force != 0.0 || mpm->head->traction != 0.0 || mpm->bar.forces;
+    return mpm->head->body_force != 0.0 || mpm->head->traction != 0.0 || mpm->def.forces;
 }
 
 /* Whether a node's velocity is its own momentum over its own mass; else it is one of M v = p, or FMPM's. */
@@ -408,10 +412,6 @@ MPM_INLINE void mpm_line_velocities(const MpmShape shape, const double *of, cons
         v[1] = v[0];
 }
 
-/* bar_check.c: a number of a definition; else the status names its key. */
-bool mpm_positive(double value, const char *key, Status *);
-bool mpm_within(int value, int low, int high, const char *key, Status *);
-
 /* --- mass.c: velocities where masses are not lumped ------------------------------------------------- */
 
 void mpm_factor(Mpm *);
@@ -425,30 +425,10 @@ void mpm_find_held(Mpm *, long step);
 
 bool mpm_stage(Simulation *, int stage, size_t first, size_t end, Status *);
 bool mpm_steps(Simulation *, long count, double *rows, long *done, Status *);
-/* memory.c: memory by counts and shape; the state's verbs; what front ends read depends on live parameters.
- */
-bool mpm_build(Mpm *, Status *);
-/* What a bar, a beam and bodies have of their own, and what all of them have alike of a Method. */
-typedef struct MpmMaker {
-    const char *what; /* "bar" */
-    const Method *method;
-    unsigned has;                   /* HAS_... */
-    void (*derive)(Mpm *);          /* everything constant, from a definition that is sound */
-    bool (*begin)(Mpm *, Status *); /* the state at t = 0 */
-    void (*set_series)(Mpm *);
-} MpmMaker;
-#define MPM_METHOD                                                                                           \
-    .name = "mpm", .title = "material point method", .destroy = mpm_destroy, .stage = mpm_stage,             \
-    .steps = mpm_steps, .row = mpm_row, .field = mpm_field, .links = mpm_links, .shapes = mpm_shapes,        \
-    .exchange = mpm_exchange, .explain = mpm_explain, .state_size = mpm_state_size, .load = mpm_load
-/* Builds the simulation at t = 0 from one that has its definition, of a code with these mistakes; `mpm` may
- * be NULL: no memory. NULL: the status says why not. */
-Simulation *mpm_create(Mpm *mpm, const MpmMaker *, const int mistakes[2], int threads, Status *);
+/* memory.c: how a simulation is made, and its state. */
+void mpm_derive(Mpm *, const MpmDef *); /* everything constant, from a definition that is sound */
 void mpm_destroy(Simulation *);
 void mpm_take_schedule(Mpm *);
-size_t mpm_small(Simulation *, double *x, double unit, bool put);
-size_t mpm_state_size(const Simulation *);
-void mpm_load(Simulation *, const void *bytes);
 size_t mpm_lasting_bytes(const Mpm *, const MpmHead *); /* of the state that lasts from step to step */
 
 /* Particles of a chunk, and what a stage does with them: see stages.c. */
@@ -511,18 +491,22 @@ double mpm_line_null_energy(const Mpm *); /* null.c */
 
 bool mpm_fail_particle(Mpm *, Status *, int particle, const char *what);
 
-/* --- beams: plane_*.c -------------------------------------------------------------------------------- */
+/* --- what each problem has of its own: bar.c, plane.c, bodies.c ---------------------------------------- */
 
-/* Columns of cells whose particles are worked on together: some chunks for threads to share, each with rows
- * long enough to be read ahead. */
-static inline int plane_chunk_cells(int columns)
+void bar_derive(Mpm *); /* its own part of mpm_derive() */
+void plane_derive(Mpm *);
+void bodies_derive(Mpm *);
+bool bar_begin(Mpm *, Status *); /* the state at t = 0 */
+bool plane_begin(Mpm *, Status *);
+bool bodies_begin(Mpm *, Status *);
+
+/* Puts a chunk where it is done: even ones first. */
+static inline void mpm_put_chunk(Mpm *mpm, int which, MpmChunk chunk)
 {
-    const int cells = columns / 16;
-    return cells < 8 ? 8 : cells > 64 ? 64 : cells;
+    mpm->chunks[which % 2 == 0 ? which / 2 : (mpm->n_chunks + 1) / 2 + which / 2] = chunk;
 }
 
-void plane_derive(Mpm *); /* everything constant, from mpm->plane, which is sound */
-unsigned plane_held(const Mpm *, long step, int column, int row);
+/* --- beams: plane_*.c -------------------------------------------------------------------------------- */
 
 double mpm_strain_at(const Mpm *, int particle); /* strain energy, J */
 
@@ -531,5 +515,74 @@ double mpm_strain_at(const Mpm *, int particle); /* strain energy, J */
 size_t plane_null_numbers(const Mpm *);
 bool plane_null_pays(const Mpm *);
 double plane_null_energy(const Mpm *, double kinetic);
+
+/* --- bodies: bodies_*.c ------------------------------------------------------------------------------ */
+
+extern const char *const bodies_walls[WALLS]; /* "left" */
+
+/* Calls `take` with the place of each particle of a body: rows from below, in a row from the left. */
+void bodies_each_particle(const MpmDef *, int body, void (*take)(void *context, double x, double y), void *);
+
+/* Whether the place lies in the body: an open set. */
+bool bodies_hold(const BodyDef *, double x, double y);
+
+static inline bool bodies_are_neo(const Mpm *mpm)
+{
+    return mpm->bodies && mpm->def.law == LAW_NEO_HOOKEAN;
+}
+
+/* Whether the code makes a mistake of bodies_mistakes.c. */
+enum {
+    BODIES_RIGHT,
+    BODIES_SPIN_SIGN,
+    BODIES_NO_ROTATION,
+    BODIES_TENSOR_SHEAR,
+    BODIES_VOLUME_KEPT,
+    BODIES_NORMAL_OF_ONE,
+    BODIES_START_AFTER_CONTACT,
+    BODIES_NO_FIRST_FIX,
+    BODIES_MISTAKES
+};
+static inline bool bodies_does(const Mpm *mpm, int mistake)
+{
+    return mpm->def.mistake == mistake || mpm->def.mistake_beside == mistake;
+}
+bool bodies_mistake_check(const MpmDef *, Status *);
+void bodies_write_wrongly(const Mpm *, MpmOp, Stage *);
+
+/* The velocity of a node by which a particle is strained: its own where the node is light. */
+static inline double bodies_velocity_for(const Mpm *mpm, int axis, int node, int p)
+{
+    return mpm->inverse[node] > 0.0 ? mpm->velocity[axis][node] : mpm->v[axis][p];
+}
+
+/* The body that a particle belongs to. */
+int bodies_body_of(const Mpm *, int particle);
+
+/* What both `fix` of a step did, behind the second one; and whether neighbours have parted, behind the step.
+ */
+void bodies_note_contact(Mpm *);
+void bodies_note_tear(Mpm *);
+void bodies_note_spin(Mpm *); /* and the sums over steps of a disc that spins alone */
+/* Walls and contact on nodes [first, end) of the grid. */
+void bodies_fix(Mpm *, MpmOp, int first, int end);
+
+/* What contact does at a node of the grid between the fields a and b, whose momenta there are q. */
+typedef struct Meeting {
+    double normal[2];  /* common, from a to b; 0 0: there is none */
+    double distance;   /* of the mean places along it, cells */
+    double approach;   /* vn: relative to the common velocity, before; > 0: a pushes */
+    double impulse[2]; /* taken from a, given to b */
+    double lost;       /* energy that friction takes */
+} Meeting;
+Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
+
+/* Whether a wall of the box acts on a node. */
+bool bodies_at_wall(const Mpm *, int node);
+
+void bodies_set_series(Mpm *);
+void bodies_write_row(const Mpm *, double *row);
+double bodies_energy(const Mpm *); /* kinetic + strain */
+double bodies_strain_at(const Mpm *, int particle);
 
 #endif

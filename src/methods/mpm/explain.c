@@ -6,7 +6,6 @@
 #include "base/assertion.h"
 #include "base/text.h"
 #include "methods/calculation.h"
-#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
 #include <stdio.h>
@@ -282,8 +281,8 @@ static bool write_meeting(const Subject *subject, int a, int b)
     const double sign = own == a ? 1.0 : -1.0;
     if (!isfinite(meeting.distance))
         return false;
-    const char *other = mpm->bodies->def.bodies[own == a ? b : a].name;
-    const double most = 2.0 * mpm->bodies->def.gap;
+    const char *other = mpm->def.bodies[own == a ? b : a].name;
+    const double most = 2.0 * mpm->def.gap;
     write_pair(to, "n = ", sign * meeting.normal[0], sign * meeting.normal[1], "   ");
     calculation_number(to, "d = ", meeting.distance);
     if (isfinite(most)) {
@@ -294,7 +293,7 @@ static bool write_meeting(const Subject *subject, int a, int b)
         to, "   vₙ = ", meeting.approach * (own == a ? 1.0 : mpm->node_mass[at[0]] / mpm->node_mass[at[1]]));
     for (int k = 0; k < 2; k++) { /* its own first */
         const int field = k == (own == a) ? 1 : 0;
-        calculation_write(to, k ? "%s: " : "before, %s: ", mpm->bodies->def.bodies[field ? b : a].name);
+        calculation_write(to, k ? "%s: " : "before, %s: ", mpm->def.bodies[field ? b : a].name);
         write_pair(to, "v = ", q[field][0] / mpm->node_mass[at[field]],
                    q[field][1] / mpm->node_mass[at[field]], k ? "\n" : "   ");
     }
@@ -325,7 +324,7 @@ static void touch_node(const Subject *subject)
         return;
     if (wall)
         calculation_write(subject->to, "a wall acts on this node\n");
-    for (int other = 0; !wall && other < mpm->bodies->n_fields; other++)
+    for (int other = 0; !wall && other < mpm->n_fields; other++)
         if (other != own)
             any = write_meeting(subject, other < own ? other : own, other < own ? own : other) || any;
     const double *const p[2] = {&mpm->momentum[0][subject->index], &mpm->momentum[1][subject->index]};
@@ -459,7 +458,7 @@ static void fix_force_node(const Subject *subject)
 static void write_integrated(const Subject *subject, int node)
 {
     const Mpm *mpm = subject->mpm;
-    const double rate = mpm->bodies ? mpm->bodies->def.damping : 0.0;
+    const double rate = mpm->bodies ? mpm->def.damping : 0.0;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double force = mpm->bodies ? mpm->force[axis][node] : mpm_node_force(mpm, axis, node);
         const double now = mpm->momentum[axis][node];
@@ -542,7 +541,7 @@ static void strain_particle(const Subject *subject)
         e[k] = simulation_named(&mpm->sim, MPM_PARTICLES, line ? "strain_increment" : strains[k], (size_t)p);
     for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++) {
         const double *stress = &mpm->stress[k][p];
-        const double rate = line || k == 2 ? e[k] : e[k] + mpm->plane.poisson * e[1 - k];
+        const double rate = line || k == 2 ? e[k] : e[k] + mpm->def.poisson * e[1 - k];
         const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->D11;
         CalculationSum newest = {.label = line ? "σ = E Δε = " : only_newest[k], .result = *stress};
         if (mpm->bodies || mpm->turn != 0 || !mpm_has_done(mpm, OP_STRAIN))
@@ -558,7 +557,7 @@ static void strain_particle(const Subject *subject)
     if (line)
         write_density(subject, mpm_mass(mpm, p) / mpm->volume[p], 1 + e[0]);
     if (mpm->bodies)
-        calculation_value(subject->to, "det F = V/V₀ = ", mpm->volume[p] / mpm->bodies->volume);
+        calculation_value(subject->to, "det F = V/V₀ = ", mpm->volume[p] / mpm->volume_start);
     if (!mpm_is_lumped(mpm))
         write_system(subject, ROW_OF_VELOCITY);
 }

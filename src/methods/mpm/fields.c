@@ -6,7 +6,7 @@
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/axial.h"
-#include "methods/mpm/bodies_inner.h"
+#include "methods/mpm/engine.h"
 #include "methods/mpm/mistakes.h"
 
 typedef enum FieldKind {
@@ -220,11 +220,11 @@ void mpm_list_fields(Mpm *mpm)
  */
 static double stress_across(const Mpm *mpm, int p)
 {
-    if (!mpm->bodies || mpm->bodies->def.plane == PLANE_STRESS)
+    if (!mpm->bodies || mpm->def.plane == PLANE_STRESS)
         return 0.0;
-    const double J = mpm->volume[p] / mpm->bodies->volume;
-    return bodies_are_neo(mpm) ? mpm->bodies->lambda * math_log(J) / J
-                               : mpm->bodies->def.poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
+    const double J = mpm->volume[p] / mpm->volume_start;
+    return bodies_are_neo(mpm) ? mpm->lambda * math_log(J) / J
+                               : mpm->def.poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
 }
 
 static double strain_energy(const Mpm *mpm, int p)
@@ -284,7 +284,7 @@ static double particle_field(const Mpm *mpm, const Field *row, int p)
     case P_AFFINE:
         return mpm->affine[p];
     case P_STRETCH:
-        return mpm->volume[p] * mpm->bar.particles_per_cell / mpm->dx;
+        return mpm->volume[p] * mpm->def.particles_per_cell / mpm->dx;
     case P_BODY:
         return bodies_body_of(mpm, p);
     case P_MISES:
@@ -292,7 +292,7 @@ static double particle_field(const Mpm *mpm, const Field *row, int p)
     case P_PRESSURE:
         return -(mpm->stress[0][p] + mpm->stress[1][p] + stress_across(mpm, p)) / 3.0;
     case P_JACOBIAN:
-        return mpm->volume[p] / mpm->bodies->volume;
+        return mpm->volume[p] / mpm->volume_start;
     case P_SPEED:
         return sqrt(speed_squared(mpm, p));
     case P_STRAIN_ENERGY:
@@ -300,7 +300,7 @@ static double particle_field(const Mpm *mpm, const Field *row, int p)
     case P_ENERGY_DENSITY:
         return strain_energy(mpm, p) / mpm->volume[p];
     case P_KINETIC_ENERGY:
-        return 0.5 * mpm->mass[0] * speed_squared(mpm, p) * (mpm->bodies ? 1.0 : mpm->plane.thickness);
+        return 0.5 * mpm->mass[0] * speed_squared(mpm, p) * (mpm->bodies ? 1.0 : mpm->def.thickness);
     case P_PROBE:
         return p == mpm->probe[0] || p == mpm->probe[1] || p == mpm->probe[2] || p == mpm->probe[3];
     default:

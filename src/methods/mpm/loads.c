@@ -39,7 +39,7 @@ ForceTerms mpm_forces(const Mpm *mpm)
         forces_add(&forces, &of_body);
     if (mpm->head->traction != 0.0)
         forces_add(&forces, &of_traction);
-    forces_add_all(&forces, mpm->bar.forces);
+    forces_add_all(&forces, mpm->def.forces);
     return forces;
 }
 

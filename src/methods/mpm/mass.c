@@ -10,8 +10,6 @@
 #include "base/assertion.h"
 #include "methods/mpm/engine.h"
 
-#include <string.h>
-
 double mpm_consistent_mass(const Mpm *mpm, int i, int j)
 {
     ASSERT(!mpm_is_lumped(mpm));

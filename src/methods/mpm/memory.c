@@ -4,7 +4,6 @@
  * mid-step, whatever the order of the stages: for what front ends read; the stages themselves need little of
  * it. */
 #include "base/assertion.h"
-#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
 #include <stdlib.h>
@@ -90,7 +89,7 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     return size;
 }
 
-bool mpm_build(Mpm *mpm, Status *status)
+static bool build(Mpm *mpm, Status *status)
 {
     const size_t bytes = mpm->bytes_memory = lay_out(mpm, NULL);
     mpm->memory = calloc(1, bytes + 64); /* pages that are never written cost nothing */
@@ -128,34 +127,7 @@ void mpm_take_schedule(Mpm *mpm)
     mpm_list_exchanges(mpm);
 }
 
-Simulation *mpm_create(Mpm *mpm, const MpmMaker *maker, const int mistakes[2], int threads, Status *status)
-{
-    enum { PARTICLES_TO_SHARE = 2048 }; /* a step of fewer is over before another thread has heard of it */
-    if (!mpm) {
-        status_fail(status, "not enough memory for the %s", maker->what);
-        return NULL;
-    }
-    Simulation *sim = &mpm->sim;
-    sim->method = maker->method;
-    bool sound = mpm_take_both(mpm, mistakes[0], mistakes[1], status);
-    if (sound)
-        maker->derive(mpm);
-    sound = sound && mpm_build(mpm, status) && maker->begin(mpm, status);
-    threads = threads > mpm->n_chunks / 2 ? mpm->n_chunks / 2 : threads;
-    if (sound && threads > 1 && mpm->n_particles >= PARTICLES_TO_SHARE)
-        sound = (mpm->pool = pool_create(threads, status)) != NULL;
-    if (!sound) {
-        mpm_destroy(sim);
-        return NULL;
-    }
-    maker->set_series(mpm);
-    mpm_take_schedule(mpm);
-    sim->has = maker->has;
-    const bool beam = mpm->dim == 2 && !mpm->bodies;
-    simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,
-                   mpm->spacing, mpm->dim);
-    return sim;
-}
+/* --- state ---------------------------------------------------------------------------------------- */
 
 /* Between steps the grid is forgotten and is not saved. */
 static size_t saved_bytes(const Mpm *mpm, const MpmHead *head)
@@ -163,12 +135,12 @@ static size_t saved_bytes(const Mpm *mpm, const MpmHead *head)
     return mpm->sim.stage != 0 ? mpm->bytes_whole : mpm_lasting_bytes(mpm, head);
 }
 
-size_t mpm_state_size(const Simulation *sim)
+static size_t state_size(const Simulation *sim)
 {
     return saved_bytes(mpm_of_const(sim), mpm_of_const(sim)->head);
 }
 
-void mpm_load(Simulation *sim, const void *bytes)
+static void load(Simulation *sim, const void *bytes)
 {
     Mpm *mpm = mpm_of(sim);
     MpmHead head; /* it stands first, but the bytes may not be aligned */
@@ -185,7 +157,7 @@ void mpm_load(Simulation *sim, const void *bytes)
 
 /* Small motion of particles that stay in their places: their state as a vector, of which |x|^2 is twice the
  * energy, sum m v^2 + V stress^2/E (method.h). With APIC also m (dx C/2)^2; its D is dx^2/4 or near it. */
-size_t mpm_small(Simulation *sim, double *x, double unit, bool put)
+static size_t small(Simulation *sim, double *x, double unit, bool put)
 {
     Mpm *mpm = mpm_of(sim);
     double *const arrays[] = {mpm->v[0], mpm->stress[0], mpm->affine};
@@ -203,4 +175,188 @@ size_t mpm_small(Simulation *sim, double *x, double unit, bool put)
                 x[k * count + p] = arrays[k][p] * scale;
         }
     return (size_t)parts * (size_t)count;
+}
+
+/* --- made and changed ------------------------------------------------------------------------------- */
+
+/* mu, with what 0 stands for. */
+static double blend_of(const MpmDef *def)
+{
+    return def->problem != MPM_BAR  ? 1
+           : def->mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant)
+                                    : def->mass_blend;
+}
+
+/* The live parameters of the state as a definition has them. */
+static void take_live(MpmHead *head, const MpmDef *def)
+{
+    head->algorithm = def->algorithm;
+    head->transfer = def->transfer;
+    head->flip_fraction = def->flip_fraction;
+    head->mass_blend = blend_of(def);
+    head->fmpm_order = def->fmpm_order;
+    head->mistake = def->mistake;
+    head->body_force = def->body_force;
+    head->traction = def->traction;
+}
+
+/* The definition of a run that begins with the live parameters of now. */
+static MpmDef definition_of_now(const Mpm *mpm)
+{
+    const MpmHead *head = mpm->head;
+    MpmDef def = mpm->def;
+    def.algorithm = head->algorithm;
+    def.transfer = head->transfer;
+    def.flip_fraction = head->flip_fraction;
+    def.mass_blend = head->mass_blend;
+    def.fmpm_order = head->fmpm_order;
+    def.mistake = head->mistake;
+    def.body_force = head->body_force;
+    def.traction = head->traction;
+    return def;
+}
+
+/* A live parameter, between steps only: it belongs to the state, so a snapshot brings back its own. APIC's
+ * gradients begin at 0 where the transfer is changed: there is none to begin with. */
+static bool change(Simulation *sim, const char *key, double value, Status *status)
+{
+    enum { BAR = 1 << MPM_BAR, BEAM = 1 << MPM_BEAM, BODIES = 1 << MPM_BODIES };
+    Mpm *mpm = mpm_of(sim);
+    MpmDef def = definition_of_now(mpm);
+    const struct {
+        const char *key;
+        unsigned of;
+        double *number; /* NULL: it is a choice, or a whole number */
+        int *whole;
+    } live[] = {
+        {"mpm.algorithm", BAR | BEAM | BODIES, NULL, (int *)&def.algorithm},
+        {"mpm.transfer", BAR | BODIES, NULL, (int *)&def.transfer},
+        {"mpm.flip_fraction", BAR | BEAM | BODIES, &def.flip_fraction, NULL},
+        {"mpm.mass_blend", BAR, &def.mass_blend, NULL},
+        {"mpm.fmpm_order", BAR, NULL, &def.fmpm_order},
+        {"mpm.mistake", BAR | BEAM, NULL, &def.mistake},
+        {"load.body_force", BAR, &def.body_force, NULL},
+        {"load.traction", BAR, &def.traction, NULL},
+    };
+    bool found = false;
+    ASSERT_INT(sim->stage, ==, 0);
+    for (size_t k = 0; k < sizeof live / sizeof *live; k++)
+        if ((live[k].of & 1u << def.problem) && strcmp(live[k].key, key) == 0) {
+            found = true;
+            if (live[k].number)
+                *live[k].number = value;
+            else
+                *live[k].whole = (int)value;
+        }
+    if (!found)
+        return status_refuse(status, "%s: cannot be changed in mid-run", key);
+    if (!mpm_check(&def, status) || !mpm_change_mistake(mpm, def.mistake, def.conceals_mistake, status))
+        return false;
+    const size_t bytes = (size_t)mpm->n_particles * sizeof(double);
+    if (def.transfer != mpm->head->transfer && mpm->dim == 1)
+        memset(mpm->affine, 0, bytes);
+    for (int k = 0; def.transfer != mpm->head->transfer && mpm->bodies && k < 4; k++)
+        memset(mpm->rate[k], 0, bytes);
+    take_live(mpm->head, &def);
+    mpm_take_schedule(mpm);
+    return true;
+}
+
+/* What each problem has of its own. */
+static const struct {
+    const char *what;
+    unsigned has;
+    void (*derive)(Mpm *);
+    bool (*begin)(Mpm *, Status *);
+    void (*set_series)(Mpm *);
+    Method method;
+} problems_by_mpm[] = {
+#define METHOD                                                                                               \
+    .name = "mpm", .title = "material point method", .destroy = mpm_destroy, .stage = mpm_stage,             \
+    .steps = mpm_steps, .row = mpm_row, .field = mpm_field, .links = mpm_links, .shapes = mpm_shapes,        \
+    .exchange = mpm_exchange, .explain = mpm_explain, .state_size = state_size, .load = load,                \
+    .change = change
+    [MPM_BAR] = {"bar",
+                 HAS_LINE | HAS_MESH,
+                 bar_derive,
+                 bar_begin,
+                 mpm_set_series,
+                 {METHOD, .on_request = mpm_on_request, .small = small}},
+    [MPM_BEAM] = {"beam",
+                  HAS_PLANE | HAS_MESH,
+                  plane_derive,
+                  plane_begin,
+                  mpm_set_series,
+                  {METHOD, .on_request = mpm_on_request}},
+    [MPM_BODIES] = {"bodies",
+                    HAS_MESH | HAS_BODIES,
+                    bodies_derive,
+                    bodies_begin,
+                    bodies_set_series,
+                    {METHOD, .on_request = (const char *const[]){".touching", NULL}}},
+#undef METHOD
+};
+
+/* lambda and G of Lame; D of plane strain or plane stress. */
+void mpm_derive(Mpm *mpm, const MpmDef *given)
+{
+    MpmDef *def = &mpm->def;
+    *def = *given;
+    if (def->problem != MPM_BEAM)
+        def->thickness = 1;
+    if (def->problem == MPM_BAR)
+        def->threads = 1; /* it is too small to be shared */
+    else
+        def->body_force = def->traction = 0;
+    if (!def->leaves_channel)
+        def->speed = def->channel = def->grid_velocity = 0;
+    const double E = def->youngs_modulus, nu = def->poisson;
+    const bool plane_stress = def->problem == MPM_BEAM || def->plane == PLANE_STRESS;
+    mpm->bodies = def->problem == MPM_BODIES;
+    mpm->dim = def->problem == MPM_BAR ? 1 : 2;
+    mpm->shape = def->shape;
+    mpm->support = shape_support(def->shape);
+    mpm->dt = mpm_time_step(def);
+    mpm->shear = mpm->slide = E / (2 * (1 + nu));
+    mpm->lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
+    mpm->D11 = plane_stress ? E / (1 - nu * nu) : mpm->lambda + 2 * mpm->shear;
+    mpm->D12 = plane_stress ? nu * mpm->D11 : mpm->lambda;
+    mpm->turn = def->rotation == ROTATION_JAUMANN ? 0.25 : 0;
+    problems_by_mpm[def->problem].derive(mpm);
+}
+
+Simulation *mpm_create(const MpmDef *def, Status *status)
+{
+    enum { PARTICLES_TO_SHARE = 2048 }; /* a step of fewer is over before another thread has heard of it */
+    ASSERT(mpm_check(def, NULL));
+    Mpm *mpm = calloc(1, sizeof *mpm);
+    if (!mpm) {
+        status_fail(status, "not enough memory for the %s", problems_by_mpm[def->problem].what);
+        return NULL;
+    }
+    Simulation *sim = &mpm->sim;
+    sim->method = &problems_by_mpm[def->problem].method;
+    sim->has = problems_by_mpm[def->problem].has;
+    bool sound = mpm_take_both(mpm, def, status);
+    if (sound)
+        mpm_derive(mpm, def);
+    sound = sound && build(mpm, status);
+    if (sound)
+        take_live(mpm->head, &mpm->def);
+    sound = sound && problems_by_mpm[def->problem].begin(mpm, status);
+    const int threads = mpm->def.threads > mpm->n_chunks / 2 ? mpm->n_chunks / 2 : mpm->def.threads;
+    if (sound && threads > 1 && mpm->n_particles >= PARTICLES_TO_SHARE)
+        sound = (mpm->pool = pool_create(threads, status)) != NULL;
+    if (!sound) {
+        mpm_destroy(sim);
+        return NULL;
+    }
+    problems_by_mpm[def->problem].set_series(mpm);
+    mpm_take_schedule(mpm);
+    const bool beam = def->problem == MPM_BEAM;
+    simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,
+                   mpm->spacing, mpm->dim);
+    sim->has |= mpm->speed > 0 ? HAS_RELATIVE_ENERGY : 0u;
+    sim->common_speed = mpm->speed;
+    return sim;
 }

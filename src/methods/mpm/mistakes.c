@@ -2,9 +2,7 @@
 /* The mistakes of a bar's code: their rows, and the numbers that such a code takes (mistakes.h). */
 #include "methods/mpm/mistakes.h"
 #include "base/assertion.h"
-#include "methods/mpm/bodies_inner.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,8 +11,8 @@
 /* Particles in a cell. */
 static int in_a_cell(const Mpm *mpm)
 {
-    const int across = mpm->plane.particles_per_cell;
-    return mpm->dim == 1 ? mpm->bar.particles_per_cell : across * across;
+    const int across = mpm->def.particles_per_cell;
+    return mpm->dim == 1 ? mpm->def.particles_per_cell : across * across;
 }
 
 static double volume_of_cell(const Mpm *mpm, int particle, double volume)
@@ -137,7 +135,7 @@ static bool bar_mistakes_join(int one, int other, BarMistake *out)
 
 const BarMistake *mpm_mistake_if(const Mpm *mpm, int mistake)
 {
-    return mpm->both ? mpm->both : mistake_of(mistake);
+    return mpm->both ? mpm->both : mpm->bodies ? NULL : mistake_of(mistake);
 }
 
 const BarMistake *mpm_mistake(const Mpm *mpm)
@@ -171,8 +169,9 @@ const char *bar_mistake_sentence(int mistake)
     return row ? row->sentence : NULL;
 }
 
-bool bar_mistake_check(const BarDef *def, bool in_plane, Status *status)
+bool bar_mistake_check(const MpmDef *def, Status *status)
 {
+    const bool in_plane = def->problem != MPM_BAR;
     BarMistake both;
     if (def->mistake_beside != 0 && !bar_mistakes_join(def->mistake, def->mistake_beside, &both))
         return status_refuse(status, "mpm.mistake: these two cannot be combined");
@@ -191,7 +190,7 @@ bool bar_mistake_check(const BarDef *def, bool in_plane, Status *status)
                         : (only & ONLY_APIC) && def->transfer != MPM_APIC  ? "mpm.transfer = apic"
                         : def->transfer == MPM_FMPM                        ? "mpm.transfer = flip or apic"
                         : row->box > 1 && def->particles_per_cell < 2 ? "mesh.particles_per_cell of 2 or more"
-                        : def->mass_blend != 1.0                      ? "mpm.mass_blend = 1"
+                        : !in_plane && def->mass_blend != 1.0         ? "mpm.mass_blend = 1"
                         : def->joint > 0.0                            ? "bar2.joint = 0"
                         : def->forces                                 ? "the forces of [load]"
                                                                       : NULL;
@@ -345,10 +344,11 @@ void mpm_move_with_mapped(Mpm *mpm)
 
 /* --- made and changed ------------------------------------------------------------------------------- */
 
-bool mpm_take_both(Mpm *mpm, int mistake, int beside, Status *status)
+bool mpm_take_both(Mpm *mpm, const MpmDef *def, Status *status)
 {
+    const int beside = def->problem == MPM_BODIES ? 0 : def->mistake_beside;
     mpm->both = beside ? malloc(sizeof *mpm->both) : NULL;
-    return !beside || (mpm->both && bar_mistakes_join(mistake, beside, mpm->both)) ||
+    return !beside || (mpm->both && bar_mistakes_join(def->mistake, beside, mpm->both)) ||
            status_fail(status, "not enough memory for two mistakes");
 }
 
@@ -379,8 +379,7 @@ void mpm_write_wrongly(const Mpm *mpm, Stage *stage, MpmOp op)
 {
     const BarMistake *mistake = mpm_mistake(mpm);
     const bool also = mistake && mistake->also_equation && op == mistake->also;
-    if (!mistake || mpm->bar.conceals_mistake || mpm->plane.conceals_mistake ||
-        (op != mistake->stage && !also))
+    if (!mistake || mpm->def.conceals_mistake || (op != mistake->stage && !also))
         return;
     stage->sentence = mistake->sentence;
     stage->source = mpm->dim == 2 ? "the right code's line" : mistake->id;

@@ -88,16 +88,16 @@ bool mpm_does(const Mpm *, unsigned wrong);    /* whether its code does that (WR
  * seventh of the memory, only of a run that begins with a mistake. */
 static inline bool mpm_can_keep(const Mpm *mpm)
 {
-    return mpm->dim == 1 || (!mpm->bodies && mpm->plane.mistake != 0);
+    return mpm->dim == 1 || (!mpm->bodies && mpm->def.mistake != 0);
 }
 
 /* Whether these are what mistakes are defined for; else the status names the key. A beam's are reported as a
  * bar's.
  */
-bool bar_mistake_check(const BarDef *, bool in_plane, Status *);
+bool bar_mistake_check(const MpmDef *, Status *);
 
 /* Takes up what the definition says that is made in two places. False: there is no memory. */
-bool mpm_take_both(Mpm *, int mistake, int beside, Status *);
+bool mpm_take_both(Mpm *, const MpmDef *, Status *);
 
 /* Between steps: another mistake from here on. False: one of them is made at the start. */
 bool mpm_change_mistake(Mpm *, int mistake, bool concealed, Status *);

@@ -24,8 +24,6 @@
  * particle has nodes. */
 #include "methods/mpm/engine.h"
 
-#include <string.h>
-
 /* Numbers whose squares would leave a double's range are as good as 0 beside others of order 1. */
 static const double too_small = 1e-280;
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A beam by the material point method is made and changed. The grid has `padding` cells all round, and on the
- * right as many more as a cantilever gets ahead of it; m = rho d^2 with d = dx/P.
+/* A beam: its numbers, and its particles at t = 0; m = rho d^2 with d = dx/P.
  *
-Particles at t = 0. The deflection is w(x), the beam's sections stay plane and square to it:
+ * At t = 0 the deflection is w(x), the beam's sections stay plane and square to it:
  *
  *     supported    w = U sin(pi x/L)                                                     paper P, eq. 16
  *     cantilever   w = U (cosh kx - cos kx - r (sinh kx - sin kx)), k = z/L, x > 0       paper P, eq. 18
@@ -18,14 +17,64 @@ Particles at t = 0. The deflection is w(x), the beam's sections stay plane and s
  *
  * s = D e, rho = rho0/(1 + exx + eyy). `velocity` starts the straight beam with v = omega (-Y w', w), omega =
  * (z/L)^2 h sqrt(E/(12 rho)), z = pi or that of the cantilever: the same oscillation a quarter of a period
-on. */
-#include "base/assertion.h"
+ * on. */
 #include "base/math/functions.h"
 #include "methods/mpm/mistakes.h"
 
-#include <limits.h>
-#include <stdlib.h>
-#include <string.h>
+/* --- numbers -------------------------------------------------------------------------------------- */
+
+/* Columns of cells whose particles are worked on together: some chunks for threads to share, each with rows
+ * long enough to be read ahead. */
+static int chunk_cells(int columns)
+{
+    const int cells = columns / 16;
+    return cells < 8 ? 8 : cells > 64 ? 64 : cells;
+}
+
+/* The mean of the middle two rows: over the two columns beside mid-span, or in the last column. */
+static void set_probe(Mpm *mpm)
+{
+    const int columns[2] = {mpm->def.leaves_channel ? mpm->nxp - 1 : (mpm->nxp - 1) / 2,
+                            mpm->def.leaves_channel ? mpm->nxp - 1 : mpm->nxp / 2};
+    const int rows[2] = {(mpm->nyp - 1) / 2, mpm->nyp / 2};
+    for (int k = 0; k < 4; k++)
+        mpm->probe[k] = rows[k / 2] * mpm->nxp + columns[k % 2]; /* a particle */
+}
+
+/* A node is inactive up to 1e-12 of a full cell's mass (anything from 1e-14 to 1e-8 gives the same). The grid
+ * has `padding` cells all round, and on the right as many more as a cantilever gets ahead of it. */
+void plane_derive(Mpm *mpm)
+{
+    const MpmDef *def = &mpm->def;
+    const int P = def->particles_per_cell, rows = (int)lround(def->height / def->cell_size);
+    const int columns = (int)lround((def->length + def->channel) / def->cell_size);
+    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
+    mpm->dx = def->height / rows;
+    mpm->spacing = mpm->dx / P;
+    mpm->mass[0] = def->density * mpm->spacing * mpm->spacing *
+                   (mistake && (mistake->does & WRONG_MASS_OF_CELL) ? P * P : 1);
+    mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
+    mpm->half = 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
+    mpm->nxp = columns * P;
+    mpm->nyp = rows * P;
+    mpm->joint = mpm->n_particles = mpm->nxp * mpm->nyp;
+    mpm->n_chunks = (columns + chunk_cells(columns) - 1) / chunk_cells(columns);
+    const double steps = ceil(def->end * (1 - 1e-9) / mpm->dt);
+    const double way = (def->speed - def->grid_velocity) * steps * mpm->dt / mpm->dx;
+    mpm->gx = columns + 2 * def->padding + (int)ceil(way) + 1;
+    mpm->gy = rows + 2 * def->padding + 1;
+    mpm->n_nodes = mpm->gx * mpm->gy;
+    mpm->cells = 1 << 30; /* no spline is an end's */
+    /* a box, of a spline a cell, begins half of it before its middle, and lies on the grid whole */
+    const double box = def->shape == MPM_GIMP ? 2 * mpm->half : def->shape == MPM_BSPLINE2 ? 1 : 0;
+    mpm->edge = -box / 2;
+    mpm->high[0] = mpm->gx - 1 - box;
+    mpm->high[1] = mpm->gy - 1 - box;
+    mpm->xmin = -def->channel - def->padding * mpm->dx;
+    mpm->ymin = -def->height / 2 - def->padding * mpm->dx;
+    mpm->speed = def->speed;
+    set_probe(mpm);
+}
 
 /* --- particles at t = 0 ----------------------------------------------------------------------------- */
 
@@ -37,7 +86,7 @@ typedef struct Deflection {
 } Deflection;
 
 /* w, w' and w'' at x (m, 1, 1/m) by eqs. 16 and 18; 0 in the channel. */
-static Deflection deflection(const PlaneDef *def, double x)
+static Deflection deflection(const MpmDef *def, double x)
 {
     const double U = def->amplitude;
     if (!def->leaves_channel) {
@@ -55,7 +104,7 @@ static Deflection deflection(const PlaneDef *def, double x)
 }
 
 /* omega = (z/L)^2 h sqrt(E/(12 rho)), 1/s: Euler and Bernoulli's, of a beam without shear. */
-static double mode_frequency(const PlaneDef *def)
+static double mode_frequency(const MpmDef *def)
 {
     const double z = def->leaves_channel ? cantilever_root : M_PI, k = z / def->length;
     return k * k * def->height * sqrt(def->youngs_modulus / (12 * def->density));
@@ -70,7 +119,7 @@ typedef struct Strain {
  * channel's end do not move. */
 static Strain strain_of_nodes(const Mpm *mpm, int p)
 {
-    const PlaneDef *def = &mpm->plane;
+    const MpmDef *def = &mpm->def;
     Strain strain = {0, 0, 0};
     MpmWeights w;
     const int i = (int)mpm->rest[0][p], j = (int)mpm->rest[1][p];
@@ -97,7 +146,7 @@ static Strain strain_of_nodes(const Mpm *mpm, int p)
 /* One particle at t = 0: displacement, velocity, stress, volume. */
 static void place(Mpm *mpm, int p)
 {
-    const PlaneDef *def = &mpm->plane;
+    const MpmDef *def = &mpm->def;
     const double X = mpm_rest(mpm, 0, p), Y = mpm_rest(mpm, 1, p);
     const Deflection bent = deflection(def, X);
     mpm->rest[0][p] = mpm_grid_place(mpm, 0, X);
@@ -121,23 +170,17 @@ static void place(Mpm *mpm, int p)
 }
 
 /* All particles. False: given up, or the shape leaves the grid. */
-static bool begin(Mpm *mpm, Status *status)
+bool plane_begin(Mpm *mpm, Status *status)
 {
     enum { PARTICLES_A_QUESTION = 4096 };
-    const int P = mpm->plane.particles_per_cell, width = plane_chunk_cells(mpm->nxp / P) * P;
+    const int P = mpm->def.particles_per_cell, width = chunk_cells(mpm->nxp / P) * P;
     bool sound = true;
-    *mpm->head = (MpmHead){.algorithm = mpm->plane.algorithm,
-                           .flip_fraction = mpm->plane.flip_fraction,
-                           .mass_blend = 1,
-                           .mistake = mpm->plane.mistake};
-    for (int k = 0; k < mpm->n_chunks; k++) { /* even ones first: engine.h */
-        const int even = (mpm->n_chunks + 1) / 2, which = k < even ? 2 * k : 2 * (k - even) + 1;
-        const int first = which * width, rest = mpm->nxp - first;
-        mpm->chunks[k] = (MpmChunk){first, rest < width ? rest : width, mpm->nyp, mpm->nxp};
+    for (int k = 0; k < mpm->n_chunks; k++) {
+        const int first = k * width, rest = mpm->nxp - first;
+        mpm_put_chunk(mpm, k, (MpmChunk){first, rest < width ? rest : width, mpm->nyp, mpm->nxp});
     }
     for (int p = 0; p < mpm->n_particles; p++) {
-        if (p % PARTICLES_A_QUESTION == 0 &&
-            cancel_requested(&mpm->plane.cancel, (double)p / mpm->n_particles))
+        if (p % PARTICLES_A_QUESTION == 0 && cancel_requested(&mpm->def.cancel, (double)p / mpm->n_particles))
             return status_fail(status, "the building of the beam was cancelled");
         place(mpm, p);
         if (mpm_does(mpm, WRONG_VOLUME_LATE))
@@ -147,54 +190,8 @@ static bool begin(Mpm *mpm, Status *status)
     if (!mpm_find_all(mpm) || !sound)
         return status_refuse(
             status, "initial.amplitude: %g bends the beam out of its grid (less, or more mesh.padding)",
-            mpm->plane.amplitude);
+            mpm->def.amplitude);
     mpm->energy_start = mpm_energy(mpm);
     return isfinite(mpm->energy_start) ||
            status_refuse(status, "initial.amplitude: the energy is not a finite number");
-}
-
-/* --- made and changed ------------------------------------------------------------------------------- */
-
-/* A live parameter, between steps only: it belongs to the state, so a snapshot brings back its own. */
-static bool change(Simulation *sim, const char *key, double value, Status *status)
-{
-    Mpm *mpm = mpm_of(sim);
-    ASSERT_INT(sim->stage, ==, 0);
-    if (strcmp(key, "mpm.algorithm") == 0) {
-        if (!(value >= 0 && value <= MPM_MUSL && value == floor(value)))
-            return status_refuse(status, "%s: %g is not a choice (0 to %d)", key, value, MPM_MUSL);
-        mpm->head->algorithm = (MpmAlgorithm)value;
-    } else if (strcmp(key, "mpm.flip_fraction") == 0) {
-        if (!(value >= 0 && value <= 1))
-            return status_refuse(status, "%s: %g is out of range (0 to 1)", key, value);
-        mpm->head->flip_fraction = value;
-    } else if (strcmp(key, "mpm.mistake") == 0 && value >= 0 && value == floor(value) && value < INT_MAX) {
-        PlaneDef def = mpm->plane;
-        def.algorithm = mpm->head->algorithm;
-        def.mistake = (int)value;
-        if (!plane_check(&def, status) || !mpm_change_mistake(mpm, def.mistake, def.conceals_mistake, status))
-            return false;
-    } else
-        return status_refuse(status, "%s: cannot be changed in mid-run", key);
-    mpm_take_schedule(mpm);
-    return true;
-}
-
-static const Method method = {MPM_METHOD, .on_request = mpm_on_request, .change = change};
-
-Simulation *plane_create(const PlaneDef *definition, Status *status)
-{
-    static const MpmMaker maker = {"beam",       &method, HAS_PLANE | HAS_MESH,
-                                   plane_derive, begin,   mpm_set_series};
-    ASSERT(plane_check(definition, NULL));
-    Mpm *mpm = calloc(1, sizeof *mpm);
-    if (mpm)
-        mpm->plane = *definition;
-    Simulation *sim = mpm_create(mpm, &maker, (int[]){definition->mistake, definition->mistake_beside},
-                                 definition->threads, status);
-    if (sim) {
-        sim->has |= mpm->speed > 0 ? HAS_RELATIVE_ENERGY : 0u;
-        sim->common_speed = mpm->speed;
-    }
-    return sim;
 }

@@ -25,7 +25,6 @@
  * W and M_L^-1 - W symmetric and not negative, so that Lanczos' method in the product of K finds the largest
  * eigenvalue (base/linear.h has both iterations). Held components are left out throughout. */
 #include "methods/mpm/engine.h"
-#include "methods/mpm/plane.h"
 
 #include "base/linear.h"
 #include "base/math/functions.h"
@@ -69,7 +68,7 @@ static double *entry(Cholesky *band, size_t row, size_t column)
 static void add_particle(Lattice2 *lattice, int i, int j, double sx, double sy)
 {
     const Mpm *model = &lattice->model;
-    const double area = model->spacing * model->spacing, nu = model->plane.poisson, dx = model->dx;
+    const double area = model->spacing * model->spacing, nu = model->def.poisson, dx = model->dx;
     const MpmShape shape = lattice->shape;
     const int S = shape_support(shape);
     double nx[SHAPE_SUPPORT_MAX], ny[SHAPE_SUPPORT_MAX], dnx[SHAPE_SUPPORT_MAX], dny[SHAPE_SUPPORT_MAX];
@@ -115,17 +114,17 @@ static bool given_up(Status *status)
 static bool assemble(Lattice2 *lattice)
 {
     const Mpm *model = &lattice->model;
-    const int P = model->plane.particles_per_cell, padding = model->plane.padding - lattice->ghosts;
+    const int P = model->def.particles_per_cell, padding = model->def.padding - lattice->ghosts;
     const int cells[2] = {model->nxp / P, model->nyp / P};
     for (int i = 0; i < lattice->columns; i++)
         for (int j = 0; j < lattice->rows; j++) {
-            const unsigned held = plane_held(model, 0, i + padding, j + padding);
+            const unsigned held = mpm_held(model, 0, (j + padding) * model->gx + i + padding);
             const size_t at = 2 * (size_t)(i * lattice->rows + j);
             lattice->held[at] = held & HELD_X;
             lattice->held[at + 1] = held & HELD_Y;
         }
     for (int i = 0; i < cells[0]; i++) {
-        if (cancel_requested(&model->plane.cancel, (double)i / lattice->columns))
+        if (cancel_requested(&model->def.cancel, (double)i / lattice->columns))
             return false;
         for (int j = 0; j < cells[1]; j++)
             for (int k = 0; k < P * P; k++)
@@ -138,10 +137,10 @@ static bool assemble(Lattice2 *lattice)
 }
 
 /* False: the status says why. *fits: the matrices are there. */
-static bool build(Lattice2 *lattice, const PlaneDef *def, bool *fits, Status *status)
+static bool build(Lattice2 *lattice, const MpmDef *def, bool *fits, Status *status)
 {
-    *lattice = (Lattice2){.model = {.plane = *def}};
-    plane_derive(&lattice->model);
+    *lattice = (Lattice2){.size = 0};
+    mpm_derive(&lattice->model, def);
     const int P = def->particles_per_cell;
     lattice->shape = def->shape == MPM_BSPLINE2 ? MPM_BSPLINE2 : MPM_HAT;
     lattice->ghosts = def->shape == MPM_BSPLINE2 ? 1 : 0;
@@ -171,7 +170,7 @@ static void clear_held(const Lattice2 *lattice, double *x)
             x[u] = 0;
 }
 
-static bool factor(Cholesky *band, const PlaneDef *def, bool *sound, Status *status)
+static bool factor(Cholesky *band, const MpmDef *def, bool *sound, Status *status)
 {
     const CholeskyEnd end = cholesky_factor(band, &def->cancel);
     *sound = end == CHOLESKY_DONE;
@@ -186,7 +185,7 @@ static bool weigh(void *context, const double *x, double *out)
     const Lattice2 *lattice = context;
     for (size_t u = 0; u < lattice->size; u++)
         out[u] = lattice->lumped[u] * x[u];
-    if (!cholesky_solve(&lattice->mass, out, &lattice->model.plane.cancel))
+    if (!cholesky_solve(&lattice->mass, out, &lattice->model.def.cancel))
         return false;
     for (size_t u = 0; u < lattice->size; u++)
         out[u] *= lattice->lumped[u];
@@ -204,7 +203,7 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
     for (size_t u = 0; u < n; u++)
         x[u] = u % 2 ? math_sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
     clear_held(lattice, x);
-    if (!linear_lowest(&lattice->stiffness, &map, x, omega2, &lattice->model.plane.cancel) ||
+    if (!linear_lowest(&lattice->stiffness, &map, x, omega2, &lattice->model.def.cancel) ||
         !weigh(lattice, x, y))
         return given_up(status);
     for (size_t u = 0; u < n; u++)
@@ -215,7 +214,7 @@ static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Stat
 
 /* T = 2 pi/Omega, s, from omega^2 and w^2 by the formulas above; with alpha = 1 and USF or MUSL Omega =
  * (2/dt) asin(omega dt/2), which keeps all digits of a small omega dt. */
-static double period_of(const PlaneDef *def, double dt, double omega2, double lumped2)
+static double period_of(const MpmDef *def, double dt, double omega2, double lumped2)
 {
     const double F = omega2 / lumped2, g = def->flip_fraction + (1 - def->flip_fraction) * F;
     const double w = lumped2 * dt * dt;
@@ -228,7 +227,7 @@ static double period_of(const PlaneDef *def, double dt, double omega2, double lu
 
 /* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, for the cantilever, which has
  * none, and of B-splines: S K has lower modes there, of nodes at the corners that particles hardly see. */
-bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
+bool plane_predicted_period(const MpmDef *def, double *period, Status *status)
 {
     Lattice2 lattice;
     bool fits, sound, good;
@@ -255,7 +254,7 @@ bool plane_predicted_period(const PlaneDef *def, double *period, Status *status)
 /* Of an endless mesh: waves along it with theta = k dx, K = 4 sin^2(theta/2), F = 1 - (1/3 + 1/(6 P^2)) (1 -
  * cos theta), and the Courant number C of the largest of them: C^2 F K = 2 (1 + g), or C^2 K (1 - F/(1 + g))
  * = 2. */
-static double endless_limit(const PlaneDef *def)
+static double endless_limit(const MpmDef *def)
 {
     enum { WAVES = 2000 };
     const double P = def->particles_per_cell, alpha = def->flip_fraction;
@@ -278,10 +277,10 @@ static bool drive(void *context, const double *x, double *out)
     for (size_t u = 0; u < n; u++)
         over[u] = lattice->held[u] ? 0 : x[u] / lattice->lumped[u];
     cholesky_multiply(&lattice->mass, over, out);
-    if (!cholesky_solve(&lattice->blend, out, &lattice->model.plane.cancel))
+    if (!cholesky_solve(&lattice->blend, out, &lattice->model.def.cancel))
         return false;
     for (size_t u = 0; u < n; u++)
-        out[u] = lattice->model.plane.algorithm == MPM_USL ? over[u] - out[u] : out[u];
+        out[u] = lattice->model.def.algorithm == MPM_USL ? over[u] - out[u] : out[u];
     clear_held(lattice, out);
     return true;
 }
@@ -310,7 +309,7 @@ static double largest_eigenvalue(Lattice2 *lattice)
 /* The largest stable Courant number of the undeformed beam, by its own matrices where they fit and the search
  * for their largest eigenvalue converges, else of an endless mesh, less one per cent. Particles that have
  * moved can lower it: hats down to 1.39 of 1.72. */
-bool plane_courant_limit(const PlaneDef *def, double *courant, Status *status)
+bool plane_courant_limit(const MpmDef *def, double *courant, Status *status)
 {
     Lattice2 lattice;
     bool fits, sound = false;

@@ -54,8 +54,8 @@ size_t plane_null_numbers(const Mpm *mpm)
 /* Some milliseconds a row at most; beyond, kinetic_null is not a column of the series. */
 bool plane_null_pays(const Mpm *mpm)
 {
-    const double rows = mpm->nyp / mpm->plane.particles_per_cell, width = width_of(mpm, (int)rows + 2);
-    return (double)mpm->nxp / mpm->plane.particles_per_cell * (rows + 1.0) * width * width < 2e7;
+    const double rows = mpm->nyp / mpm->def.particles_per_cell, width = width_of(mpm, (int)rows + 2);
+    return (double)mpm->nxp / mpm->def.particles_per_cell * (rows + 1.0) * width * width < 2e7;
 }
 
 /* The first of a column's rows, of a matrix. */
@@ -202,6 +202,6 @@ double plane_null_energy(const Mpm *mpm, double kinetic)
             memset(column_of(&work, which, column), 0, bytes);
         }
     }
-    const double null = kinetic - seen / 2 * mpm->plane.thickness;
+    const double null = kinetic - seen / 2 * mpm->def.thickness;
     return null > 0 ? null : 0;
 }

@@ -21,7 +21,6 @@
  * it at 4 cells in the height of a beam, 4e-4 at 8). */
 #include "base/assertion.h"
 #include "methods/axial.h"
-#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
 #include <string.h>
@@ -74,7 +73,7 @@ static Sums sum_material(const Mpm *mpm, int which, int first, int end)
 double mpm_strain_at(const Mpm *mpm, int at)
 {
     ASSERT_INDEX(at, mpm->n_particles);
-    const PlaneDef *def = &mpm->plane;
+    const MpmDef *def = &mpm->def;
     const double xx = mpm->stress[0][at], yy = mpm->stress[1][at], xy = mpm->stress[2][at];
     const double direct = xx * xx + yy * yy - 2 * def->poisson * (xx * yy);
     return (direct / (2 * def->youngs_modulus) + xy * xy / (2 * mpm->shear)) * mpm->volume[at] *
@@ -89,7 +88,7 @@ static Sums sum_beam(const Mpm *mpm)
         sums.kinetic += vx * vx + vy * vy;
         sums.strain += mpm_strain_at(mpm, p);
     }
-    sums.kinetic *= mpm->mass[0] / 2 * mpm->plane.thickness;
+    sums.kinetic *= mpm->mass[0] / 2 * mpm->def.thickness;
     return sums;
 }
 
@@ -121,7 +120,7 @@ double mpm_energy(const Mpm *mpm)
 
 static double thickness(const Mpm *mpm)
 {
-    return mpm->dim == 1 ? 1.0 : mpm->plane.thickness;
+    return mpm->dim == 1 ? 1.0 : mpm->def.thickness;
 }
 
 /* The energy that lumped masses see, of velocities over a beam's common one. Held components of a beam are at
@@ -226,7 +225,7 @@ static const struct {
 static void add_column(Mpm *mpm, Entry entry, const Quantity *quantity)
 {
     if ((entry == REACTION_X && mpm->dim == 1 && mpm->fixed_left == 0 && mpm->fixed_right == 0) ||
-        (entry == LENGTH && !mpm->plane.leaves_channel) ||
+        (entry == LENGTH && !mpm->def.leaves_channel) ||
         (entry == KINETIC_NULL && mpm->dim == 2 && !plane_null_pays(mpm)))
         return;
     mpm->series_entry[mpm->sim.n_series] = (int)entry;
@@ -304,7 +303,7 @@ static double value_of(Mpm *mpm, Entry entry, const Sums *sums, bool whole)
     case V_PROBE:
         return probe(mpm, mpm->v[1]);
     case LENGTH:
-        return mpm->plane.length + mpm->plane.speed * simulation_time(&mpm->sim);
+        return mpm->def.length + mpm->def.speed * simulation_time(&mpm->sim);
     case ENTRIES:
         break;
     }

@@ -14,7 +14,6 @@
  * law of bodies change what some stages say: one table for each. Of the force stage of a line they say what
  * is made of f_int and f_ext, loads.c says what these are. The work of a stage is stages.c. */
 #include "methods/mpm/mistakes.h"
-#include "methods/mpm/bodies_inner.h"
 
 #include <string.h>
 
@@ -318,9 +317,9 @@ static Wording wording_of(const Mpm *mpm, MpmOp op)
     const MpmHead *head = mpm->head;
     const bool flips = head->flip_fraction == 1.0, strains = op == OP_STRAIN;
     if (mpm->bodies && strains)
-        return bodies_are_neo(mpm)                          ? BODIES_NEO
-               : mpm->bodies->def.rotation == ROTATION_NONE ? BODIES_UNTURNED
-                                                            : BODIES;
+        return bodies_are_neo(mpm)                  ? BODIES_NEO
+               : mpm->def.rotation == ROTATION_NONE ? BODIES_UNTURNED
+                                                    : BODIES;
     if (mpm->bodies)
         return head->transfer == MPM_APIC ? BODIES_APIC : flips ? BODIES : BODIES_BLEND;
     if (mpm->dim == 2)
@@ -368,7 +367,7 @@ void mpm_list_stages(Mpm *mpm)
         const MpmOp op = schedule->ops[i];
         Stage *stage = &mpm->stages[i];
         *stage = stage_of(wording_of(mpm, op), op);
-        if (mpm->bodies && mpm->bodies->n_fields == 1 && strcmp(stage->equation, FIX_EQUATION) == 0)
+        if (mpm->bodies && mpm->n_fields == 1 && strcmp(stage->equation, FIX_EQUATION) == 0)
             stage->equation = WALL_EQUATION;
         if (op == OP_FORCE && mpm->dim == 1)
             mpm_word_forces(mpm, stage);

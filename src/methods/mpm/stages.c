@@ -28,7 +28,6 @@
  *
  * A node with m <= 1e-12 rho dx^2 is light: fix and update leave it out. */
 #include "base/math/functions.h"
-#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
 #include <stdio.h>
@@ -38,7 +37,7 @@
 
 bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
 {
-    const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
+    const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->def, mpm->head->transfer);
     char text[200];
     char where[60] = "";
     if (mpm->bodies)
@@ -265,10 +264,10 @@ MPM_INLINE double strain_neo_hookean(Mpm *mpm, const double *L, int p)
         *F[2 + column] = y + (L[2] * x + L[3] * y);
     }
     const double J = *F[0] * *F[3] - *F[1] * *F[2];
-    mpm->volume[p] = J * mpm->bodies->volume;
+    mpm->volume[p] = J * mpm->volume_start;
     if (!(J > 0.0))
         return J;
-    const double swell = mpm->bodies->lambda * math_log(J), inverse = 1.0 / J;
+    const double swell = mpm->lambda * math_log(J), inverse = 1.0 / J;
     mpm->stress[0][p] = (G * (*F[0] * *F[0] + *F[1] * *F[1] - 1.0) + swell) * inverse;
     mpm->stress[1][p] = (G * (*F[2] * *F[2] + *F[3] * *F[3] - 1.0) + swell) * inverse;
     mpm->stress[2][p] = G * (*F[0] * *F[2] + *F[1] * *F[3]) * inverse;
@@ -342,7 +341,7 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
     const double *const stress = mpm->stress[0], *const volume = mpm->volume;
     const double *const syy = mpm->stress[1], *const sxy = mpm->stress[2];
     double *const fx = mpm->force[0], *const fy = mpm->force[1];
-    const double *const g = kind == BODIES ? mpm->bodies->def.gravity : NULL, m = mpm->mass[0];
+    const double *const g = kind == BODIES ? mpm->def.gravity : NULL, m = mpm->mass[0];
     for (int p = first; p < end; p++) {
         const MpmWeights w = weights_at(&at, dim, shape, p);
         const int base = at.base[p];
@@ -384,7 +383,7 @@ static void add_push(Mpm *mpm)
     for (int i = 0; mpm->speed != 0.0 && i < mpm->n_nodes; i++)
         if (mpm->free[0][i] == 0.0)
             push += mpm->force[0][i];
-    mpm->head->work -= push * mpm->speed * mpm->dt * mpm->plane.thickness;
+    mpm->head->work -= push * mpm->speed * mpm->dt * mpm->def.thickness;
 }
 
 static void fix_force(Mpm *mpm, int first, int end)
@@ -439,7 +438,7 @@ static void integrate(Mpm *mpm, int first, int end)
 /* Of bodies: q += dt (f - damping q); `fix` finds what particles take. */
 static void integrate_bodies(Mpm *mpm, int first, int end)
 {
-    const double dt = mpm->dt, damping = mpm->bodies->def.damping;
+    const double dt = mpm->dt, damping = mpm->def.damping;
     for (int axis = 0; axis < 2; axis++) {
         double *const q = mpm->momentum[axis];
         const double *const f = mpm->force[axis];
@@ -634,7 +633,7 @@ void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
     if (mpm->bodies && op != OP_INTEGRATE)
         bodies_fix(mpm, op, first, end);
     else if (mpm->bodies)
-        for (int field = 0; field < mpm->bodies->n_fields; field++)
+        for (int field = 0; field < mpm->n_fields; field++)
             integrate_bodies(mpm, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
     else if (op == OP_INTEGRATE)
         integrate(mpm, first, end);

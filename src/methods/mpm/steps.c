@@ -4,7 +4,6 @@
 #include "base/assertion.h"
 #include "methods/mpm/mistakes.h"
 
-#include <limits.h>
 #include <string.h>
 
 /* How a particle ended that is not where it could go on. */
@@ -171,8 +170,8 @@ static bool check_energy(Mpm *mpm, Status *status)
         const GrowthNow now = {mpm->energy_start, energy, 0, "", "uGIMP, MUSL, or more particles"};
         return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
     }
-    const bool plane = mpm->dim == 2, light = !plane && bar_feels_light_nodes(&mpm->bar, mpm->head->transfer);
-    const double body = mpm->mass[0] * mpm->n_particles * mpm->plane.thickness;
+    const bool plane = mpm->dim == 2, light = !plane && bar_feels_light_nodes(&mpm->def, mpm->head->transfer);
+    const double body = mpm->mass[0] * mpm->n_particles * mpm->def.thickness;
     const double rounding = plane ? 1e-20 * body * mpm->speed * mpm->speed / 2 : 0;
     const GrowthNow now = {fmax(mpm->energy_start, rounding), energy, plane ? 0 : mpm->head->work,
                            plane ? " s" : "",

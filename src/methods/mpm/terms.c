@@ -15,7 +15,6 @@
  *     dt N_i p_i/m_i                      position                    (15) */
 #include "base/assertion.h"
 #include "base/text.h"
-#include "methods/mpm/bodies_inner.h"
 #include "methods/mpm/mistakes.h"
 
 #include <string.h>
@@ -255,7 +254,7 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
         mpm_force_stress(mpm, p, stress);
         if (!plane)
             return exchange_three(factors, scale * slope[0], stress[0], V);
-        const double weight = mpm->bodies ? m / V * N * mpm->bodies->def.gravity[axis] : 0.0;
+        const double weight = mpm->bodies ? m / V * N * mpm->def.gravity[axis] : 0.0;
         return exchange_two(factors,
                             weight + scale * (slope[axis] * stress[axis] + slope[1 - axis] * stress[2]), V);
     }
