@@ -482,16 +482,18 @@ int bar_modes_of(double count)
     return count >= 1 && count < INT_MAX ? (int)count : 0;
 }
 
-bool bar_mode(const Settings *settings, int number, BarWave *wave_of, ModeOnMesh *out, Dispersion *wave)
+bool bar_mode(const Settings *settings, int number, BarWave *wave_of, BarFactors *factors_of, ModeOnMesh *out)
 {
     ASSERT_INT(number, >=, 0);
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, NULL))
         return false;
-    *wave = wave_of(settings, &theory, bar_wave_number(&theory, number));
+    const Dispersion wave = wave_of(settings, &theory, bar_wave_number(&theory, number));
     *out = (ModeOnMesh){.exact = bar_frequency(&theory, number), .predicted = NAN};
-    if (wave->known && wave->frequency > 0)
-        out->predicted = wave->frequency;
+    if (wave.known && wave.frequency > 0) {
+        out->predicted = wave.frequency;
+        factors_of(&wave, out);
+    }
     return true;
 }
 

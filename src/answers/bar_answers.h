@@ -106,8 +106,10 @@ bool bar_limit(const Settings *, char *advice, size_t size, Status *);
 /* How many modes so many cells or nodes can represent. */
 int bar_modes_of(double count);
 
-/* A mode with the wave that is predicted for it; its factors are the caller's. False: no such wave. */
-bool bar_mode(const Settings *, int number, BarWave *, ModeOnMesh *, Dispersion *wave);
+/* A mode with the wave that is predicted for it, and the factors of which its frequency is made. False: no
+ * such wave. */
+typedef void BarFactors(const Dispersion *, ModeOnMesh *);
+bool bar_mode(const Settings *, int number, BarWave *, BarFactors *, ModeOnMesh *);
 
 /* For Solver. */
 double bar_invariant(Simulation *, const Settings *);

@@ -256,8 +256,7 @@ bool answers_known_text(const Settings *settings, char out[KNOWN_TEXT_MAX], long
     }
     if (!unaccounted)
         return false;
-    const size_t used = strlen(out);
-    snprintf(out + used, KNOWN_TEXT_MAX - used, ": not known with %s", unaccounted);
+    text_append(out, KNOWN_TEXT_MAX, ": not known with %s", unaccounted);
     if (step)
         *step = 0;
     const Parameter *parameter = parameter_find(unaccounted);

@@ -30,10 +30,7 @@ NUMBER(last_time, run->time)
 NUMBER(steps, (double)run->steps)
 double run_summary_derived(const RunSummary *run, const char *word)
 {
-    for (int i = 0; i < run->n_derived; i++)
-        if (strcmp(run->derived[i].name, word) == 0)
-            return run->derived[i].value;
-    return NAN;
+    return derived_named(run->derived, run->n_derived, word);
 }
 
 /* Of the notched beam's crack; of a plate what its cracks have. */

@@ -9,7 +9,6 @@
 #include "scenario/parameters.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -180,152 +179,140 @@ void summary_now(const Experiment *experiment, SummaryPart part, RunSummary *sum
     }
 }
 
-typedef struct Writer {
-    char *out;
-    size_t used;
-} Writer;
-
-static void add(Writer *writer, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void add(Writer *writer, const char *format, ...)
-{
-    if (writer->used >= SUMMARY_MAX)
-        return;
-    va_list arguments;
-    va_start(arguments, format);
-    int n = vsnprintf(writer->out + writer->used, SUMMARY_MAX - writer->used, format, arguments);
-    va_end(arguments);
-    writer->used += n > 0 ? (size_t)n : 0;
-}
-
-static void add_known(Writer *writer, const char *word, bool known, double value)
+static void add_known(char out[SUMMARY_MAX], const char *word, bool known, double value)
 {
     if (!known)
         return;
-    add(writer, "  %s %s", word, text_rounded(value, 7).text);
+    text_append(out, SUMMARY_MAX, "  %s %s", word, text_rounded(value, 7).text);
 }
 
 /* Of a run without a frequency that is said only where nothing else was found. */
-static void add_readout(Writer *writer, const Readout *readout, const char *answer, bool found, bool wrong)
+static void add_readout(char out[SUMMARY_MAX], const Readout *readout, const char *answer, bool found,
+                        bool wrong)
 {
     const char *what = readout->is_period ? "period" : "frequency";
     if (!readout->moving) {
         if (!found && !readout->unjudged)
-            add(writer, "nothing vibrates: no %s to measure\n", what);
+            text_append(out, SUMMARY_MAX, "nothing vibrates: no %s to measure\n", what);
         return;
     }
-    add(writer, "%s%s", what, wrong ? " with a mistake" : "");
+    text_append(out, SUMMARY_MAX, "%s%s", what, wrong ? " with a mistake" : "");
     if (readout->unaccounted)
-        add(writer, "  not known with %s", readout->unaccounted);
+        text_append(out, SUMMARY_MAX, "  not known with %s", readout->unaccounted);
     else if (!readout->measured_known)
-        add(writer, "  %s", readout->unmeasured);
-    add_known(writer, "measured", readout->measured_known, readout->measured);
-    add_known(writer, wrong ? "predicted (right code)" : "predicted", readout->predicted_known,
+        text_append(out, SUMMARY_MAX, "  %s", readout->unmeasured);
+    add_known(out, "measured", readout->measured_known, readout->measured);
+    add_known(out, wrong ? "predicted (right code)" : "predicted", readout->predicted_known,
               readout->predicted);
-    add_known(writer, answer, readout->exact_known, readout->exact);
-    add_known(writer, "at its real size", isfinite(readout->real_size), readout->real_size);
+    add_known(out, answer, readout->exact_known, readout->exact);
+    add_known(out, "at its real size", isfinite(readout->real_size), readout->real_size);
     if (readout->is_period && (readout->measured_known || readout->predicted_known || readout->exact_known))
-        add(writer, "  s");
-    add(writer, "\n");
+        text_append(out, SUMMARY_MAX, "  s");
+    text_append(out, SUMMARY_MAX, "\n");
     if (readout->measured_known && isfinite(readout->r2))
-        add(writer, "uncertainty  %s  R2 %.4f\n", text_rounded(readout->uncertainty, 2).text, readout->r2);
+        text_append(out, SUMMARY_MAX, "uncertainty  %s  R2 %.4f\n",
+                    text_rounded(readout->uncertainty, 2).text, readout->r2);
     if (!readout->measured_known || !readout->exact_known)
         return;
-    add(writer, "error%s  frequency %+.4g %%  period %+.4g %%", wrong ? " with a mistake" : "",
-        readout->error_frequency, readout->error_period);
+    text_append(out, SUMMARY_MAX, "error%s  frequency %+.4g %%  period %+.4g %%",
+                wrong ? " with a mistake" : "", readout->error_frequency, readout->error_period);
     if (readout->predicted_known)
-        add(writer, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
+        text_append(out, SUMMARY_MAX, "  (frequency predicted %+.4g %%)", readout->predicted_error_frequency);
     if (readout->predicted_known && readout->overlap < READOUT_PURE)
-        add(writer, "  (a mixture of modes: overlap %.3g with the one predicted)", readout->overlap);
-    add(writer, "\n");
+        text_append(out, SUMMARY_MAX, "  (a mixture of modes: overlap %.3g with the one predicted)",
+                    readout->overlap);
+    text_append(out, SUMMARY_MAX, "\n");
     if (isfinite(readout->late))
-        add(writer, "%.3g periods %s%s\n", fabs(readout->late), readout->late < 0 ? "ahead" : "behind",
-            strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
+        text_append(out, SUMMARY_MAX, "%.3g periods %s%s\n", fabs(readout->late),
+                    readout->late < 0 ? "ahead" : "behind",
+                    strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
 /* How fast a damped oscillation dies, and how fast it oscillates meanwhile. */
-static void add_decay(Writer *writer, const Readout *readout)
+static void add_decay(char out[SUMMARY_MAX], const Readout *readout)
 {
     if (!isfinite(readout->decay_exact))
         return;
-    add(writer, "decay");
-    add_known(writer, "measured", isfinite(readout->decay_measured), readout->decay_measured);
-    add_known(writer, "theory", true, readout->decay_exact);
-    add(writer, "  1/s, half the damping\nfrequency");
-    add_known(writer, "measured", readout->measured_known, 1 / readout->measured);
-    add_known(writer, "predicted", readout->predicted_known, 1 / readout->predicted);
-    add_known(writer, "theory", readout->exact_known, 1 / readout->exact);
-    add(writer, "  Hz\n");
+    text_append(out, SUMMARY_MAX, "decay");
+    add_known(out, "measured", isfinite(readout->decay_measured), readout->decay_measured);
+    add_known(out, "theory", true, readout->decay_exact);
+    text_append(out, SUMMARY_MAX, "  1/s, half the damping\nfrequency");
+    add_known(out, "measured", readout->measured_known, 1 / readout->measured);
+    add_known(out, "predicted", readout->predicted_known, 1 / readout->predicted);
+    add_known(out, "theory", readout->exact_known, 1 / readout->exact);
+    text_append(out, SUMMARY_MAX, "  Hz\n");
 }
 
 /* What a motion that dies keeps; one that theory says is kept has E* for that. */
-static void add_kept(Writer *writer, const Readout *readout, bool wrong)
+static void add_kept(char out[SUMMARY_MAX], const Readout *readout, bool wrong)
 {
     if (!(readout->kept_predicted < READOUT_UNDAMPED))
         return;
-    add(writer, wrong ? "with a mistake a period keeps" : "a period keeps");
+    text_append(out, SUMMARY_MAX, wrong ? "with a mistake a period keeps" : "a period keeps");
     if (isfinite(readout->kept_measured))
-        add(writer, "  measured %.4g %%", 100 * readout->kept_measured);
-    add(writer, "  predicted%s %.4g %%  of the energy\n", wrong ? " (right code)" : "",
-        100 * readout->kept_predicted);
+        text_append(out, SUMMARY_MAX, "  measured %.4g %%", 100 * readout->kept_measured);
+    text_append(out, SUMMARY_MAX, "  predicted%s %.4g %%  of the energy\n", wrong ? " (right code)" : "",
+                100 * readout->kept_predicted);
 }
 
 /* A time in microseconds, or that it has not come. */
-static void add_time(Writer *writer, const char *word, double seconds, const char *never, const char *unit)
+static void add_time(char out[SUMMARY_MAX], const char *word, double seconds, const char *never,
+                     const char *unit)
 {
     if (isnan(seconds))
-        add(writer, "%s %s", word, never);
+        text_append(out, SUMMARY_MAX, "%s %s", word, never);
     else
-        add(writer, "%s %.2f %s", word, 1e6 * seconds, unit);
+        text_append(out, SUMMARY_MAX, "%s %.2f %s", word, 1e6 * seconds, unit);
 }
 
 /* Each share per area of the crack, so that it can be set beside G0. */
-static void add_cost(Writer *writer, const CrackPrice *price)
+static void add_cost(char out[SUMMARY_MAX], const CrackPrice *price)
 {
     const CrackCost *cost = &price->cost;
-    add(writer, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f\n", cost->total / cost->area,
-        cost->through / cost->area, cost->beside / cost->area, cost->far / cost->area);
-    add(writer, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy, cost->plane);
+    text_append(out, SUMMARY_MAX, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f\n",
+                cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
+                cost->far / cost->area);
+    text_append(out, SUMMARY_MAX, "G0  %.1f J/m^2, on this lattice %.1f\n", price->critical_energy,
+                cost->plane);
 }
 
 /* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
 void summary_crack_text(const RunSummary *summary, const char *microseconds, char out[SUMMARY_MAX])
 {
-    Writer writer = {out, 0};
     const Crack *crack = &summary->crack.measured;
     out[0] = '\0';
     if (summary->fronts_known) {
         char lines[2][160];
         crack_fronts_lines(&summary->fronts, summary->rayleigh_speed, microseconds, lines[0], lines[1]);
-        add(&writer, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
+        text_append(out, SUMMARY_MAX, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
         if (summary->price_known)
-            add_cost(&writer, &summary->price);
+            add_cost(out, &summary->price);
     }
     if (!summary->crack_known)
         return;
-    add_time(&writer, "crack  first break", crack->first_break, "none", microseconds);
-    add_time(&writer, "  twentieth", crack->twentieth_break, "none", microseconds);
-    add_time(&writer, "  protected zone", crack->arrival, "not yet", microseconds);
-    add(&writer, "\n");
+    add_time(out, "crack  first break", crack->first_break, "none", microseconds);
+    add_time(out, "  twentieth", crack->twentieth_break, "none", microseconds);
+    add_time(out, "  protected zone", crack->arrival, "not yet", microseconds);
+    text_append(out, SUMMARY_MAX, "\n");
     bool any = false;
     for (int i = 0; i < CRACK_ANGLES; i++) {
         if (isnan(summary->crack.angles[i]))
             continue;
-        add(&writer, "%s%.1f deg over %.0f mm", any ? "  " : "angle of fit  ", summary->crack.angles[i],
-            1e3 * summary->crack.heights[i]);
+        text_append(out, SUMMARY_MAX, "%s%.1f deg over %.0f mm", any ? "  " : "angle of fit  ",
+                    summary->crack.angles[i], 1e3 * summary->crack.heights[i]);
         any = true;
     }
-    add(&writer, "%s", any ? "\n" : "");
+    text_append(out, SUMMARY_MAX, "%s", any ? "\n" : "");
     if (crack->begun)
-        add(&writer, "tip  x %.1f mm  y %.1f mm", 1e3 * crack->x, 1e3 * crack->y);
+        text_append(out, SUMMARY_MAX, "tip  x %.1f mm  y %.1f mm", 1e3 * crack->x, 1e3 * crack->y);
     else
-        add(&writer, "no crack yet");
-    add(&writer, "  broken bonds %ld\n", crack->broken);
+        text_append(out, SUMMARY_MAX, "no crack yet");
+    text_append(out, SUMMARY_MAX, "  broken bonds %ld\n", crack->broken);
     if (crack->fastest > 0)
-        add(&writer, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
-            crack->fastest / summary->rayleigh_speed);
+        text_append(out, SUMMARY_MAX, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
+                    crack->fastest / summary->rayleigh_speed);
     if (summary->price_known)
-        add_cost(&writer, &summary->price);
+        add_cost(out, &summary->price);
 }
 
 /* The energy's change in per cent; less than 5e-4 % is written as 0. */
@@ -335,52 +322,52 @@ void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
                                         [ENERGY_PERIOD] = "energy, first period to last,",
                                         [ENERGY_TENTH] = "energy, first tenth to last,"};
     const double change = summary->energy_change;
-    Writer writer = {out, 0};
     out[0] = '\0';
     if (summary->energy_measure == ENERGY_NOT_KNOWN || !isfinite(change))
         return;
-    add(&writer, "%s", summary->mistake ? "with a mistake: " : "");
-    add(&writer, fabs(change) < 5e-4 ? "%s changed by %.3f %% of the %s" : "%s changed by %+.3g %% of the %s",
-        names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
-        summary->energy_of_ahead  ? "work, which is half a step ahead of the motion"
-        : summary->energy_of_work ? "work"
-        : summary->energy_of_feed ? "start, nearly all of it feed motion"
-                                  : "start");
+    text_append(out, SUMMARY_MAX, "%s", summary->mistake ? "with a mistake: " : "");
+    text_append(out, SUMMARY_MAX,
+                fabs(change) < 5e-4 ? "%s changed by %.3f %% of the %s" : "%s changed by %+.3g %% of the %s",
+                names[summary->energy_measure], fabs(change) < 5e-4 ? 0 : change,
+                summary->energy_of_ahead  ? "work, which is half a step ahead of the motion"
+                : summary->energy_of_work ? "work"
+                : summary->energy_of_feed ? "start, nearly all of it feed motion"
+                                          : "start");
     /* what came within the first tenth is not in the change from it to the last */
     if (summary->energy_most > ENERGY_TOLD && summary->energy_most > 2 * change)
-        add(&writer, "; at most %+.3g %% on the way", summary->energy_most);
+        text_append(out, SUMMARY_MAX, "; at most %+.3g %% on the way", summary->energy_most);
 }
 
 void summary_text(const RunSummary *summary, const Settings *settings, char out[SUMMARY_MAX])
 {
-    Writer writer = {out, 0};
     const Problem *facts = settings->problem;
     out[0] = '\0';
-    add(&writer, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps, text_rounded(summary->time, 8).text,
-        facts->si ? " " : "", facts->si ? facts->unit_of_time : "", text_rounded(summary->dt, 6).text,
-        summary->failed    ? ", where the run failed"
-        : summary->at_rest ? ", where it came to rest"
-                           : "");
+    text_append(out, SUMMARY_MAX, "%ld steps to t = %s%s%s  (dt %s)%s\n", summary->steps,
+                text_rounded(summary->time, 8).text, facts->si ? " " : "",
+                facts->si ? facts->unit_of_time : "", text_rounded(summary->dt, 6).text,
+                summary->failed    ? ", where the run failed"
+                : summary->at_rest ? ", where it came to rest"
+                                   : "");
     if (summary->mistake)
-        add(&writer, "with a mistake: %s\n", summary->mistake);
+        text_append(out, SUMMARY_MAX, "with a mistake: %s\n", summary->mistake);
     if (!summary->crack_known && !summary->fronts_known)
-        add_readout(&writer, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest,
+        add_readout(out, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest,
                     summary->mistake != NULL);
-    add_decay(&writer, &summary->readout);
-    add_kept(&writer, &summary->readout, summary->mistake != NULL);
+    add_decay(out, &summary->readout);
+    add_kept(out, &summary->readout, summary->mistake != NULL);
     char found[SUMMARY_MAX];
     const int in_a_line = summary->n_findings > 4 ? 2 : 4;
     for (int i = 0; i < summary->n_findings; i += in_a_line) {
         const int left = summary->n_findings - i;
         findings_text(summary->findings + i, left < in_a_line ? left : in_a_line, true, found, sizeof found);
-        add(&writer, "%s\n", found);
+        text_append(out, SUMMARY_MAX, "%s\n", found);
     }
     char unaccounted[KNOWN_TEXT_MAX];
     if (answers_known_text(settings, unaccounted, NULL))
-        add(&writer, "%s\n", unaccounted);
+        text_append(out, SUMMARY_MAX, "%s\n", unaccounted);
     char text[SUMMARY_MAX];
     summary_crack_text(summary, "us", text);
-    add(&writer, "%s", text);
+    text_append(out, SUMMARY_MAX, "%s", text);
     summary_energy_text(summary, text);
-    add(&writer, "%s%s", text, *text ? "\n" : "");
+    text_append(out, SUMMARY_MAX, "%s%s", text, *text ? "\n" : "");
 }

@@ -49,11 +49,9 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
     if (sheet >= 0)
         screen->panes.sheet = (Sheet)sheet;
     const View *map = view_of_map();
-    for (int i = 0; i < view_variants(map, screen); i++) {
-        const char *word = view_variant_word(map, screen, i);
-        if (word && strcmp(view->colour, word) == 0)
-            view_choose_variant(map, screen, i);
-    }
+    const int colour = view_variant_named(map, screen, view->colour);
+    if (colour >= 0)
+        view_choose_variant(map, screen, colour);
 }
 
 /* --- the whole ------------------------------------------------------------------------------------ */

@@ -75,10 +75,7 @@ double screen_derived(const Screen *screen, const char *name)
 {
     Derived derived[DERIVED_MAX];
     const int count = experiment_derived(screen->experiment, derived);
-    for (int i = 0; i < count; i++)
-        if (strcmp(derived[i].name, name) == 0)
-            return derived[i].value;
-    return NAN;
+    return derived_named(derived, count, name);
 }
 
 int screen_box_stage(const Screen *screen, bool *done)

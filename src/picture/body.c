@@ -22,6 +22,14 @@ Style picture_kind_style(int kind)
     return styles[kind % (int)(sizeof styles / sizeof *styles)];
 }
 
+int picture_map_step(const PictureMap *map, double value, int steps)
+{
+    if (map->kinds)
+        return (int)value;
+    const int step = (int)floor((value - map->low) / (map->high - map->low) * steps);
+    return step < 0 ? 0 : step >= steps ? steps - 1 : step;
+}
+
 /* The factor that fills the room beside the body with the largest displacement of the run. */
 static double choose_enlargement(const PictureMap *map, const BodyRoom *room, double height, double rows)
 {

@@ -332,6 +332,9 @@ void picture_lay_body(Picture *, const BodyRoom *);
 /* The colour of a thing among those of a map's kinds. */
 Style picture_kind_style(int kind);
 
+/* In which of so many steps from the map's low to its high a value is; of kinds: which one it is. */
+int picture_map_step(const PictureMap *, double value, int steps);
+
 /* Whether a place is in sight, or no farther from it than so much, m. */
 bool picture_in_sight(const Picture *, double x, double y, double margin);
 

@@ -319,12 +319,7 @@ static void mesh_factors(const Dispersion *wave, ModeOnMesh *mode)
 
 static bool mode(const Settings *settings, int number, ModeOnMesh *out)
 {
-    Dispersion wave;
-    if (!bar_mode(settings, number, wave_on_mesh, out, &wave))
-        return false;
-    if (isfinite(out->predicted))
-        mesh_factors(&wave, out);
-    return true;
+    return bar_mode(settings, number, wave_on_mesh, mesh_factors, out);
 }
 
 /* Lumped and consistent masses, the blend between, and FMPM that comes to the consistent ones. */

@@ -195,12 +195,7 @@ static void lattice_factors(const Dispersion *wave, ModeOnMesh *mode)
 
 static bool mode(const Settings *settings, int number, ModeOnMesh *out)
 {
-    Dispersion wave;
-    if (!bar_mode(settings, number, wave_on_lattice, out, &wave))
-        return false;
-    if (isfinite(out->predicted))
-        lattice_factors(&wave, out);
-    return true;
+    return bar_mode(settings, number, wave_on_lattice, lattice_factors, out);
 }
 
 /* Answers are those of the right code; v is half a step off where there is one kick a step. */

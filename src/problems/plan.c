@@ -6,9 +6,18 @@
 #include "base/text.h"
 #include "scenario/concern_time.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+double derived_named(const Derived *derived, int count, const char *name)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(derived[i].name, name) == 0)
+            return derived[i].value;
+    return NAN;
+}
 
 void derived_add(Derived out[DERIVED_MAX], int *count, const char *name, const char *label, const char *unit,
                  double value, bool integer)

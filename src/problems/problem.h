@@ -198,6 +198,9 @@ enum { DERIVED_MAX = 24 };
 
 int problem_derived(const Settings *, const Simulation *, Derived out[DERIVED_MAX]);
 
+/* The value of that name among them; NAN: there is none. */
+double derived_named(const Derived *, int count, const char *name);
+
 /* Said before a run: the Courant number against its limit, horizon over spacing outside 3 to 4. False: the
  * run is refused, the status says why and what is allowed. `advice` is "" where there is nothing to say. */
 bool problem_advice(const Settings *, char *advice, size_t size, Status *);

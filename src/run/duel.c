@@ -42,11 +42,9 @@ int duel_read_keys(const char *text, Assignment keys[DUEL_MAX], Status *status)
 
 void duel_write_keys(const Assignment *keys, int n_keys, char *out, size_t size)
 {
-    size_t used = 0;
     out[0] = '\0';
-    for (int i = 0; i < n_keys && used < size; i++)
-        used +=
-            (size_t)snprintf(out + used, size - used, "%s%s=%s", i ? " " : "", keys[i].key, keys[i].value);
+    for (int i = 0; i < n_keys; i++)
+        text_append(out, size, "%s%s=%s", i ? " " : "", keys[i].key, keys[i].value);
 }
 
 /* The parameter at its next choice or size; false: it has none. */

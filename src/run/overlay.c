@@ -419,14 +419,9 @@ int overlay_column(const Overlay *overlay, const char *text, Status *status)
     if (found >= 0)
         return found;
     char list[200] = "";
-    for (int i = 0; i < overlay->n_columns && overlay->columns[i].name[0]; i++) {
-        const size_t used = strlen(list);
-        if (used + strlen(overlay->columns[i].name) + 8 > sizeof list) {
-            strcat(list, ", ...");
+    for (int i = 0; i < overlay->n_columns && overlay->columns[i].name[0]; i++)
+        if (!text_list_add(list, sizeof list, overlay->columns[i].name))
             break;
-        }
-        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", overlay->columns[i].name);
-    }
     status_refuse(status, "%s:1: no column %.40s (%s%s1 to %d)", overlay->file, text, list,
                   list[0] ? ", or " : "", overlay->n_columns);
     return -1;

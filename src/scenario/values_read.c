@@ -107,12 +107,10 @@ static bool not_of_settings(const Parameter *parameter, const Settings *settings
             settings_method_words[settings->method],
             settings_method_words[parameter_in(parameter, problem).methods & BY_MPM ? METHOD_MPM
                                                                                     : METHOD_PD]);
-    char words[128];
-    size_t used = 0;
+    char words[128] = "";
     for (int p = 0; problems[p]; p++)
         if (parameter_applies(parameter, problems[p]))
-            used += (size_t)snprintf(words + used, sizeof words - used, "%s%s", used ? ", " : "",
-                                     problems[p]->word);
+            text_list_add(words, sizeof words, problems[p]->word);
     return status_refuse(status, "%s: is not a parameter of problem %s (only of %s)", parameter->key,
                          problem->word, words);
 }

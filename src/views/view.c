@@ -2,6 +2,8 @@
 /* One view on one screen: what it needs and which variant is chosen. Nothing here asks which view it is. */
 #include "views/view.h"
 
+#include <string.h>
+
 #include "run/experiment.h"
 
 static bool has_any(const Experiment *experiment, unsigned needs)
@@ -61,6 +63,16 @@ const char *view_variant_word(const View *view, const Screen *screen, int varian
 {
     const bool known = view->variant_word && variant >= 0 && variant < view_variants(view, screen);
     return known ? view->variant_word(screen, variant) : NULL;
+}
+
+int view_variant_named(const View *view, const Screen *screen, const char *name)
+{
+    for (int i = 0; i < view_variants(view, screen); i++) {
+        const char *word = view_variant_word(view, screen, i);
+        if (word && strcmp(word, name) == 0)
+            return i;
+    }
+    return -1;
 }
 
 bool view_makes_figure(const View *view, const Screen *screen)

@@ -111,6 +111,9 @@ bool view_makes_figure(const View *, const Screen *);
 /* The word of a variant; NULL: there is no such variant, or only one. */
 const char *view_variant_word(const View *, const Screen *, int variant);
 
+/* Which of them has that word; -1: none. */
+int view_variant_named(const View *, const Screen *, const char *word);
+
 bool view_shows_start(const View *, const Screen *);
 
 /* The study whose points the present variant shows; NULL: none. */

@@ -27,11 +27,10 @@ const View *view_named(const char *word)
 
 void view_names(char *out, size_t size)
 {
-    size_t used = 0;
-    for (int i = 0; i < n_views && used < size; i++)
-        used += (size_t)snprintf(out + used, size - used, "%s, ", views[i]->word);
-    if (used < size)
-        snprintf(out + used, size - used, "or 1 to 9");
+    out[0] = '\0';
+    for (int i = 0; i < n_views; i++)
+        text_append(out, size, "%s, ", views[i]->word);
+    text_append(out, size, "or 1 to 9");
 }
 
 /* The one that is the most willing to open by itself; of equals the first in the list. */
@@ -75,12 +74,7 @@ static const View *view_of_name(const char *name)
 /* Which variant "profile:v" names on a screen; -1: there is none. */
 static int variant_of_name(const View *view, const Screen *screen, const char *name)
 {
-    for (int i = 0; i < view_variants(view, screen); i++) {
-        const char *word = view_variant_word(view, screen, i);
-        if (word && strcmp(word, name + strcspn(name, ":") + 1) == 0)
-            return i;
-    }
-    return -1;
+    return view_variant_named(view, screen, name + strcspn(name, ":") + 1);
 }
 
 /* Variants are of the run: the first of it is made to ask for them. */

@@ -198,10 +198,9 @@ bool sweep_plan_load(const SweepPlan *plan, const Options *options, int combinat
 
 void sweep_plan_describe(const SweepPlan *plan, int combination, char *out, size_t size)
 {
-    size_t used = 0;
-    for (int i = 0; i < plan->n_keys && used < size; i++)
-        used += (size_t)snprintf(out + used, size - used, "%s%s=%s", i ? " " : "", plan->keys[i].key,
-                                 value_of(plan, combination, i));
+    out[0] = '\0';
+    for (int i = 0; i < plan->n_keys; i++)
+        text_append(out, size, "%s%s=%s", i ? " " : "", plan->keys[i].key, value_of(plan, combination, i));
 }
 
 /* --- the row of a run ------------------------------------------------------------------------------- */

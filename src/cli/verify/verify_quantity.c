@@ -34,10 +34,7 @@ static double time_of(const VerifyRun *run, size_t k)
 
 static double derived_of(const VerifyRun *run, const char *name)
 {
-    for (int i = 0; i < run->n_derived; i++)
-        if (strcmp(run->derived[i].name, name) == 0)
-            return run->derived[i].value;
-    return NAN;
+    return derived_named(run->derived, run->n_derived, name);
 }
 
 static Finding finding_of(const VerifyRun *run, const char *name)

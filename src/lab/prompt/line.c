@@ -164,12 +164,7 @@ static int variant_of(const View *view, const Screen *screen, const char *which)
     long number;
     if (text_to_long(which, &number))
         return number > 0 && number <= view_variants(view, screen) ? (int)number : 0;
-    for (int i = 0; i < view_variants(view, screen); i++) {
-        const char *word = view_variant_word(view, screen, i);
-        if (word && strcmp(word, which) == 0)
-            return i + 1;
-    }
-    return 0;
+    return view_variant_named(view, screen, which) + 1;
 }
 
 static bool show(Laboratory *lab, const char *words)

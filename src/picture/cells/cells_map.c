@@ -74,10 +74,7 @@ static bool is_inside(const Sheet *sheet, double column, double row)
 
 static int step_in(const PictureMap *map, double value)
 {
-    if (map->kinds)
-        return (int)value;
-    const int step = (int)floor((value - map->low) / (map->high - map->low) * RAMP_STEPS);
-    return step < 0 ? 0 : step >= RAMP_STEPS ? RAMP_STEPS - 1 : step;
+    return picture_map_step(map, value, RAMP_STEPS);
 }
 
 /* What a step of the ramp, or a thing, is drawn in. */

@@ -17,12 +17,7 @@ enum { LEVELS = 128, BAR_PIECES = 64 };
 
 static int level_in(const PictureMap *map, double value)
 {
-    if (isnan(value))
-        return -1;
-    if (map->kinds)
-        return (int)value;
-    const int level = (int)floor((value - map->low) / (map->high - map->low) * LEVELS);
-    return level < 0 ? 0 : level >= LEVELS ? LEVELS - 1 : level;
+    return isnan(value) ? -1 : picture_map_step(map, value, LEVELS);
 }
 
 static int level_of(const PictureMap *map, size_t piece)

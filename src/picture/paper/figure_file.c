@@ -283,7 +283,6 @@ void figure_names(const Screen *screen, FILE *stream)
 static void tell_parameters(const Settings *settings, char *out, size_t size)
 {
     const char *group = "";
-    size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *parameter = &parameters[i];
@@ -298,13 +297,12 @@ static void tell_parameters(const Settings *settings, char *out, size_t size)
         double number;
         if (strcmp(unit, "1") == 0 || !text_to_double(value, &number))
             unit = ""; /* of a word */
-        if (used < size)
-            used += (size_t)snprintf(out + used, size - used, "%s%s%s%s %s%s%s",
-                                     used == 0 ? ""
-                                     : more    ? ",  "
-                                               : ";  ",
-                                     more ? "" : parameter->group, more ? "" : ": ", parameter->label, value,
-                                     unit[0] ? " " : "", unit);
+        text_append(out, size, "%s%s%s%s %s%s%s",
+                    !*out  ? ""
+                    : more ? ",  "
+                           : ";  ",
+                    more ? "" : parameter->group, more ? "" : ": ", parameter->label, value,
+                    unit[0] ? " " : "", unit);
         group = parameter->group;
     }
     /* "cuts: notch 0 50% 50% 50%;  loads: top top 0% 100% 0 1.2e7,  bottom ...". */

@@ -308,36 +308,37 @@ static void gnuplot_data(FILE *out, const Picture *picture, int panel, int index
     fputs("END\n", out);
 }
 
-static void gnuplot_plot(FILE *out, const Picture *picture, int panel, bool bare)
+/* As what a curve or an entry of the legend is drawn. */
+static void gnuplot_look(FILE *out, StrokeKind kind, const char *dots, const Pencil *pencil, Colour fill)
 {
     static const char *const drawn[] = {
         [STROKE_LINE] = "with lines", [STROKE_DOTS] = "with points", [STROKE_BAND] = "with filledcurves"};
+    fprintf(out, "%s%s", drawn[kind], kind == STROKE_DOTS ? dots : "");
+    if (kind == STROKE_BAND)
+        fprintf(out, " fc rgb '#%06x'", fill);
+    else
+        gnuplot_pencil(out, pencil);
+    fputs(", \\\n  ", out);
+}
+
+static void gnuplot_plot(FILE *out, const Picture *picture, int panel, bool bare)
+{
     fputs("plot ", out);
     for (int i = 0; i < picture->plot.n_strokes; i++) {
         const Stroke *stroke = &picture->plot.strokes[i];
         const Pencil pencil = pencil_of(picture, i);
         fprintf(out, "$p%ds%d notitle ", panel, i);
-        fputs(drawn[stroke->kind], out);
-        fputs(stroke->kind == STROKE_DOTS ? " pt 7 ps 0.4" : "", out);
-        if (stroke->kind == STROKE_BAND)
-            fprintf(out, " fc rgb '#%06x'", ink_fill(stroke->style, stroke->fill));
-        else
-            gnuplot_pencil(out, &pencil);
-        fputs(", \\\n  ", out);
+        gnuplot_look(out, stroke->kind, " pt 7 ps 0.4", &pencil, ink_fill(stroke->style, stroke->fill));
     }
     for (int i = 0; !bare && i < picture->n_keys; i++) {
         const PictureKey *key = &picture->keys[i];
         const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
+        char dots[16];
         fputs("NaN title ", out);
         gnuplot_words(out, key->name);
-        fprintf(out, " %s", drawn[kind_of(key)]);
-        if (kind_of(key) == STROKE_DOTS)
-            fprintf(out, " pt %d", sign_of_key(key)->gnuplot);
-        if (kind_of(key) == STROKE_BAND)
-            fprintf(out, " fc rgb '#%06x'", ink_fill(key->style, key->fill));
-        else
-            gnuplot_pencil(out, &pencil);
-        fputs(", \\\n  ", out);
+        snprintf(dots, sizeof dots, " pt %d", sign_of_key(key)->gnuplot);
+        fputc(' ', out);
+        gnuplot_look(out, kind_of(key), dots, &pencil, ink_fill(key->style, key->fill));
     }
     fputs("NaN notitle\n", out);
 }

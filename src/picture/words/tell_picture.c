@@ -544,10 +544,9 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
         const PictureLabel *label = &picture->labels[i];
         const bool label_drawn = drawn || strip;
         if (!label_drawn || !label->thing || strchr(label->text, '\n')) {
-            char text[2 * sizeof label->text];
-            size_t used = 0;
+            char text[2 * sizeof label->text] = "";
             for (const char *here = label->text; *here; here++)
-                used += (size_t)snprintf(text + used, sizeof text - used, *here == '\n' ? ", " : "%c", *here);
+                text_append(text, sizeof text, *here == '\n' ? ", " : "%c", *here);
             words_say(words, 4, label_drawn ? "  %s%s%s." : "  in the drawing: %s%s%s",
                       label->thing ? label->thing : "", label->thing ? " " : "", text);
         }
