@@ -140,7 +140,7 @@ static size_t links(const Simulation *sim, int set, size_t index, Link *out, siz
             out[count] = (Link){.set = set,
                                 .index = at(plate, p, q),
                                 .stretch = 1,
-                                .pull = plate->u[at(plate, p, q)] - plate->u[index]};
+                                .stiffness = plate->u[at(plate, p, q)] - plate->u[index]};
         count++;
     }
     return count;

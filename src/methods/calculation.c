@@ -223,6 +223,29 @@ void calculation_sum(Calculation *calculation, const CalculationSum *sum)
     }
 }
 
+void calculation_exchange(Calculation *calculation, CalculationSum *sum, const Simulation *sim, int exchange,
+                          size_t index, const Link *links, size_t count)
+{
+    const Exchange *row = &sim->exchanges[exchange];
+    const bool leads = strncmp(row->factors, "m ", 2) == 0 || strncmp(row->factors, "Δt ", 4) == 0;
+    double f[EXCHANGE_FACTORS_MAX] = {0}, total = 0;
+    int n;
+    for (size_t i = 0; i < count; i++) {
+        total += simulation_exchange(sim, exchange, index, &links[i], f, &n);
+        if (n == 0)
+            return;
+        if (leads)
+            sum->scale = f[0];
+        const double *own = leads ? f + 1 : f;
+        calculation_add(sum, leads ? n - 1 : n, own[0], own[1], own[2]);
+    }
+    const double now = simulation_named(sim, row->to, row->field, index);
+    sum->has_base = row->adds;
+    sum->base = now - total;
+    sum->result = row->adds ? now : sum->scale != 0 && !leads ? sum->scale * total : total;
+    calculation_sum(calculation, sum);
+}
+
 void calculation_change(Calculation *calculation, const char *label, double was, double factor, double rate,
                         double now, const char *unit)
 {

@@ -7,8 +7,7 @@
 #ifndef METHODS_CALCULATION_H
 #define METHODS_CALCULATION_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "methods/method.h"
 
 #define CALCULATION_SPACE "\u00a0" /* that no line is broken at */
 
@@ -53,6 +52,12 @@ CalculationTerm *calculation_add(CalculationSum *, int factors, double a, double
 
 /* Writes the sum and ends the line. */
 void calculation_sum(Calculation *, const CalculationSum *);
+
+/* What thing `index` is given by these links in an exchange, a term for each: a first factor that is that of
+ * all (mass, time step) before the bracket. Of the sum label, unit and scale are given. Nothing where the
+ * numbers are not at hand. */
+void calculation_exchange(Calculation *, CalculationSum *, const Simulation *, int exchange, size_t index,
+                          const Link *, size_t count);
 
 /* What a stage changed: "label was + factor × rate = now unit", in a line; unit NULL: none. */
 void calculation_change(Calculation *, const char *label, double was, double factor, double rate, double now,

@@ -349,6 +349,32 @@ double simulation_named(const Simulation *sim, int set, const char *name, size_t
     return simulation_value(sim, simulation_find_field(sim, set, name), index);
 }
 
+static int by_pull(const void *a, const void *b)
+{
+    const Link *one = a, *other = b;
+    if (one->broken != other->broken)
+        return one->broken ? 1 : -1;
+    const double left = fabs(link_pull(one)), right = fabs(link_pull(other));
+    return left != right ? (left < right) - (left > right)
+                         : (one->index > other->index) - (one->index < other->index);
+}
+
+void simulation_sort_links(Link *links, size_t count)
+{
+    qsort(links, count, sizeof *links, by_pull);
+}
+
+double simulation_exchange(const Simulation *sim, int exchange, size_t index, const Link *link,
+                           double factors[EXCHANGE_FACTORS_MAX], int *count)
+{
+    ASSERT_INDEX(exchange, sim->n_exchanges);
+    *count = sim->method->exchange(sim, exchange, index, link, factors);
+    double product = *count > 0;
+    for (int f = 0; f < *count; f++)
+        product *= factors[f];
+    return product;
+}
+
 int simulation_find_series(const Simulation *sim, const char *name)
 {
     for (int i = 0; i < sim->n_series; i++)

@@ -97,8 +97,9 @@ enum {
  */
 enum { LINK_C, LINK_G, LINK_W, LINK_V, LINK_FACTORS };
 typedef struct Link {
-    int set;      /* of the other end */
-    size_t index; /* of the other end */
+    int set;       /* of the other end */
+    size_t index;  /* of the other end */
+    bool mirrored; /* the other end is the mirror image of that one, beyond a fixed end */
 
     /* of a particle and a node of the mesh */
     double weight;                              /* shape function N of the pair */
@@ -106,20 +107,20 @@ typedef struct Link {
 
     /* of a bond */
     double stretch;
-    double pull;    /* its force density times the volume of the other end: > 0 pulls towards that */
-    bool broken;    /* it carries nothing any more */
-    long broken_at; /* of such a one: the step after which it was broken; 0: before the run, by a notch */
+    double stiffness; /* K = c G w V of its force density K s, as the code at work has it; broken: 0 */
+    bool broken;      /* it carries nothing any more */
+    long broken_at;   /* of such a one: the step after which it was broken; 0: before the run, by a notch */
     double apart[SIMULATION_DIMENSIONS_MAX];     /* to the other end at rest, along a line to an image too */
     double direction[SIMULATION_DIMENSIONS_MAX]; /* in which it pulls now, a unit vector */
-    /* c, G, w and V of c G w V s, its force density: micromodulus at its length, mean surface factor, share
-     * of the other end's volume within reach, that volume */
+    /* c, G, w and V of K: micromodulus at its length, mean surface factor, share of the other end's volume
+     * within reach, that volume */
     double factors[LINK_FACTORS];
 } Link;
 
-/* The force density that a bond gives. */
-static inline double link_density(const Link *link)
+/* The force density that a bond gives: > 0 pulls towards the other end. */
+static inline double link_pull(const Link *link)
 {
-    return link->factors[LINK_V] > 0 ? link->pull / link->factors[LINK_V] : 0;
+    return link->stiffness * link->stretch;
 }
 
 /* What linked things give to each other in a stage: for each pair a product of a few numbers. The products
@@ -212,10 +213,10 @@ typedef struct Method {
      * there; 0: the place is outside. NULL: there is no mesh. */
     size_t (*shapes)(const Simulation *, const double *place, Link *out, size_t max);
 
-    /* The factors of what thing `from` gives to thing `to` in an exchange; returns how many there are. 0:
-     * they are not at hand at the present stage, or the pair exchanges nothing. NULL: there are no exchanges.
-     */
-    int (*exchange)(const Simulation *, int exchange, size_t from, size_t to,
+    /* The factors of what thing `index` exchanges with the other end of one of its links; returns how many
+     * there are. 0: they are not at hand at the present stage, or the pair exchanges nothing. NULL: there are
+     * no exchanges. */
+    int (*exchange)(const Simulation *, int exchange, size_t index, const Link *,
                     double factors[EXCHANGE_FACTORS_MAX]);
 
     /* The loads on a thing of the first set along an axis, as force per volume, at the time that its place is
@@ -405,6 +406,13 @@ void simulation_lay(Simulation *, size_t columns, size_t rows, double spacing, i
 /* One value of a field, by its index or its name; NAN: there is no such field (-1). */
 double simulation_value(const Simulation *, int field, size_t index);
 double simulation_named(const Simulation *, int set, const char *name, size_t index);
+
+/* Bonds in the order of their pull: the strongest first, broken ones last. */
+void simulation_sort_links(Link *, size_t count);
+
+/* The product of the factors of an exchange (Method.exchange), *count of them; 0: there is none. */
+double simulation_exchange(const Simulation *, int exchange, size_t index, const Link *,
+                           double factors[EXCHANGE_FACTORS_MAX], int *count);
 
 /* The index of a field, series entry or stage by name; -1: there is none. */
 int simulation_find_field(const Simulation *, int set, const char *name);

@@ -14,16 +14,11 @@ static bool take_flow(const CellTerms *terms, int exchange, Flowing *flow)
 {
     const Simulation *sim = terms->sim;
     *flow = (Flowing){.exchange = &sim->exchanges[exchange]};
-    const bool takes = flow->exchange->to == terms->set;
     bool any = false;
     for (size_t i = 0; i < terms->n_links; i++) {
         double factors[EXCHANGE_FACTORS_MAX];
-        const size_t other = terms->links[i].index;
-        const int count = sim->method->exchange(sim, exchange, takes ? other : terms->index,
-                                                takes ? terms->index : other, factors);
-        flow->terms[i] = count > 0;
-        for (int f = 0; f < count; f++)
-            flow->terms[i] *= factors[f];
+        int count;
+        flow->terms[i] = simulation_exchange(sim, exchange, terms->index, &terms->links[i], factors, &count);
         flow->last[i] = count > 0 ? factors[count - 1] : 0;
         flow->sum += flow->terms[i];
         any |= count > 0;

@@ -25,16 +25,6 @@ typedef struct NearBonds {
     char unit[16];         /* of a force density, with a space before it */
 } NearBonds;
 
-static int by_pull(const void *a, const void *b)
-{
-    const Link *one = a, *other = b;
-    if (one->broken != other->broken)
-        return one->broken ? 1 : -1;
-    const double left = fabs(one->pull), right = fabs(other->pull);
-    return left != right ? (left < right) - (left > right)
-                         : (one->index > other->index) - (one->index < other->index);
-}
-
 static bool take_bonds(NearBonds *bonds, const Screen *screen)
 {
     const Simulation *sim = experiment_simulation(screen->experiment);
@@ -44,7 +34,7 @@ static bool take_bonds(NearBonds *bonds, const Screen *screen)
     bonds->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
     const size_t count = sim->method->links(sim, 0, bonds->node, bonds->links, LINKS_MAX);
     bonds->count = count < LINKS_MAX ? count : LINKS_MAX;
-    qsort(bonds->links, bonds->count, sizeof *bonds->links, by_pull);
+    simulation_sort_links(bonds->links, bonds->count);
     while (bonds->whole < bonds->count && !bonds->links[bonds->whole].broken)
         bonds->whole++;
     snprintf(bonds->unit, sizeof bonds->unit, screen_problem(screen)->si ? " N/m³" : "");
@@ -102,7 +92,7 @@ static void write_product(const NearBonds *bonds, const Link *link, int columns,
     if (glyphs_columns(out[0]) + 2 > columns)
         snprintf(out[0], 160, "%s", brief);
     text_append(out[1], 160, "%s = ", number_of(link->stretch).text);
-    text_append(out[1], 160, "%s%s", number_of(link_density(link)).text, bonds->unit);
+    text_append(out[1], 160, "%s%s", number_of(link_pull(link)).text, bonds->unit);
 }
 
 /* What the stretch is enlarged by, so that it is seen: a quarter of the length at most. */
@@ -156,7 +146,7 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     add_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, text);
     write_product(bonds, link, picture->columns, product);
     snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls",
-             number_of(link_density(link)).text, bonds->unit);
+             number_of(link_pull(link)).text, bonds->unit);
     add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);
     add_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, product[0]);
     snprintf(text, sizeof text, "c G w V s = %s", product[1]);
@@ -206,16 +196,16 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
              bonds->count, bonds->count - bonds->whole, bonds->unit);
     open_drawing(picture, 0, 1, name);
     add_family(bonds, picture, shown);
-    const double most = shown > 0 ? fabs(link_density(&bonds->links[0])) : 0;
+    const double most = shown > 0 ? fabs(link_pull(&bonds->links[0])) : 0;
     for (size_t k = 0; k < shown; k++) {
-        const double pull = link_density(&bonds->links[k]);
+        const double pull = link_pull(&bonds->links[k]);
         snprintf(name, sizeof name, "%c to %zu  %.20s", (char)('a' + k), bonds->links[k].index,
                  number_of(pull).text);
         add_row(picture, 11.4 - 1.2 * (double)k, most > 0 ? pull / most : 0, name);
     }
     for (size_t k = shown; k < bonds->whole; k++)
         for (int d = 0; d < 2; d++)
-            rest[d] += link_density(&bonds->links[k]) * bonds->links[k].direction[d];
+            rest[d] += link_pull(&bonds->links[k]) * bonds->links[k].direction[d];
     if (shown < bonds->whole) {
         snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
                  bonds->whole - shown, number_of(rest[0]).text);

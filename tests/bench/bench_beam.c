@@ -57,11 +57,16 @@ static Plain plain_create(const Beam *beam)
     BondPlace place = lattice_bond_place(lattice, 0);
     for (size_t b = 0; b < plain.n_bonds; b++) {
         const Offset *offset = &lattice->offsets[place.offset];
-        BondNow bond = beam_bond(beam, place);
-        plain.bonds[b] =
-            (PlainBond){(int)bond.a, (int)bond.b,    offset->x,
-                        offset->y,   offset->length, beam->coefficient[lattice_slot(lattice, place)],
-                        bond.broken};
+        const size_t slot = lattice_slot(lattice, place);
+        size_t ends[2];
+        lattice_ends(lattice, place, ends);
+        plain.bonds[b] = (PlainBond){(int)ends[0],
+                                     (int)ends[1],
+                                     offset->x,
+                                     offset->y,
+                                     offset->length,
+                                     beam->coefficient[slot],
+                                     beam_bit(beam->broken, slot)};
         place = lattice_next_bond(lattice, place);
     }
     for (size_t node = 0; node < plain.nodes; node++) {

@@ -278,7 +278,7 @@ START_TEST(paper_has_the_terms)
 }
 END_TEST
 
-/* The factors of the strongest bond are its pull, which is the first number of the box; those of a family
+/* The factors of the strongest bond are its pull, and the box names it first; those of a family
  * that are told one by one are the strongest, and with the others add up to the node's force. */
 START_TEST(bonds_are_those_of_the_box)
 {
@@ -307,9 +307,11 @@ START_TEST(bonds_are_those_of_the_box)
         ck_assert_msg(fabs(factors - strtod(pull, NULL)) < 2e-4 * fabs(factors), "%s: %g: %s", words[k],
                       factors, product);
         const bool plane = k > 0;
-        char number[32];
-        snprintf(number, sizeof number, "%.*s", (int)strcspn(pull, " "), pull);
-        ck_assert_msg(!plane || strstr(drawing.sums, number), "%s is not in %s", number, drawing.sums);
+        const char *to = strstr(picture->name, " to ");
+        char strongest[48];
+        ck_assert_ptr_nonnull(to);
+        snprintf(strongest, sizeof strongest, "%.*s: c G w V s = ", (int)strcspn(to + 1, ","), to + 1);
+        ck_assert_msg(strstr(drawing.sums, strongest), "%s is not in %s", strongest, drawing.sums);
         view_choose_variant(view_named("cell"), drawing.screen, 1);
         picture_close(&drawing.picture);
         describe_again(&drawing);
@@ -383,13 +385,9 @@ START_TEST(terms_in_the_plane_are_the_methods)
             flows++;
             for (size_t i = 0; i < n_links; i++) {
                 double factors[EXCHANGE_FACTORS_MAX];
-                const bool gives = exchange->from == 0;
-                const int count = sim->method->exchange(sim, e, gives ? particle : links[i].index,
-                                                        gives ? links[i].index : particle, factors);
+                int count;
+                terms[i] = simulation_exchange(sim, e, particle, &links[i], factors, &count);
                 ck_assert_int_gt(count, 0);
-                terms[i] = 1;
-                for (int f = 0; f < count; f++)
-                    terms[i] *= factors[f];
                 whole += terms[i];
                 size = fmax(size, fabs(terms[i]));
             }

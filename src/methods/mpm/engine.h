@@ -454,7 +454,7 @@ void mpm_field(const Simulation *, int field, size_t first, size_t count, double
 size_t mpm_links(const Simulation *, int set, size_t index, Link *out, size_t max);
 size_t mpm_shapes(const Simulation *, const double *at, Link *out, size_t max);
 
-int mpm_exchange(const Simulation *, int exchange, size_t from, size_t to,
+int mpm_exchange(const Simulation *, int exchange, size_t index, const Link *,
                  double factors[EXCHANGE_FACTORS_MAX]);
 void mpm_list_exchanges(Mpm *);
 void mpm_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,

@@ -60,64 +60,39 @@ static bool has_slope(MpmTerm term)
     return term == TERM_STRESS || term == TERM_STRAIN || term == TERM_SHEAR;
 }
 
-/* Whether a wrong code has added to what the grid had. */
-static bool keeps(const Mpm *mpm, const MpmExchange *of)
-{
-    return (of->op == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID)) ||
-           (of->op == OP_MAP_AGAIN && mpm_does(mpm, WRONG_KEEPS_TWICE));
-}
-
-/* "p13 = 0.5 × (0.2 × 0.3 + ...) = 0.1": what the subject is given; mass and time step, which are those of
- * all, before the bracket. Nothing where the numbers are not at hand. */
+/* "p13 = 0.5 × (0.2 × 0.3 + ...) = 0.1" */
 static void write_taken(const Subject *subject, int exchange)
 {
     const Mpm *mpm = subject->mpm;
-    const Exchange *row = &mpm->exchanges[exchange];
     const MpmExchange *of = &mpm->terms[exchange];
     const bool numbered = mpm->dim == 1 && of->op != OP_FORCE && subject->set == MPM_NODES;
     char label[LABEL_MAX];
     snprintf(label, sizeof label, numbered ? "%s%d = " : "%s = ", of->symbol, subject->index);
-    CalculationSum sum = {.label = label};
-    double f[EXCHANGE_FACTORS_MAX], total = 0;
-    const bool leads = strncmp(row->factors, "m ", 2) == 0 || strncmp(row->factors, "Δt ", 4) == 0;
-    if (of->op == OP_FORCE && mpm_load_share(mpm) != 1)
-        sum.scale = mpm_load_share(mpm);
-    for (size_t i = 0; i < subject->n_links; i++) {
-        const Link *link = &subject->links[i];
-        const int n = mpm_exchange(&mpm->sim, exchange, link->index, (size_t)subject->index, f);
-        if (n == 0)
-            return;
-        if (has_slope(of->term) ? link->gradient[0] == 0 && link->gradient[1] == 0 : link->weight == 0)
-            continue;
-        if (leads)
-            sum.scale = f[0];
-        const double *own = leads ? f + 1 : f;
-        calculation_add(&sum, leads ? n - 1 : n, own[0], own[1], own[2]);
-        total += n == 2 ? f[0] * f[1] : f[0] * f[1] * f[2];
-    }
-    const double now = simulation_named(&mpm->sim, row->to, row->field, (size_t)subject->index);
-    sum.has_base = row->adds || keeps(mpm, of);
-    sum.base = now - total;
-    sum.result = sum.has_base ? now : sum.scale != 0 && !leads ? sum.scale * total : total;
-    calculation_sum(subject->to, &sum);
+    const double share = of->op == OP_FORCE ? mpm_load_share(mpm) : 1;
+    CalculationSum sum = {.label = label, .scale = share != 1 ? share : 0};
+    Link links[LINKS_MAX];
+    size_t count = 0;
+    for (const Link *link = subject->links; link < subject->links + subject->n_links; link++)
+        if (has_slope(of->term) ? link->gradient[0] != 0 || link->gradient[1] != 0 : link->weight != 0)
+            links[count++] = *link;
+    calculation_exchange(subject->to, &sum, &mpm->sim, exchange, (size_t)subject->index, links, count);
 }
 
 /* "m v N: 0.1 to 12 + 0.3 to 13 = 0.4": how what a particle gives is divided. Of stress the shares add up to
  * 0, as sum grad N = 0. */
 static void write_given(const Subject *subject, int exchange)
 {
-    const Exchange *row = &subject->mpm->exchanges[exchange];
     char label[LABEL_MAX];
-    snprintf(label, sizeof label, "%s: ", row->factors);
+    snprintf(label, sizeof label, "%s: ", subject->mpm->exchanges[exchange].factors);
     CalculationSum sum = {.label = label};
     double f[EXCHANGE_FACTORS_MAX];
-    for (size_t i = 0; i < subject->n_links; i++) {
-        const size_t to = subject->links[i].index;
-        const int n = mpm_exchange(&subject->mpm->sim, exchange, (size_t)subject->index, to, f);
+    int n;
+    for (const Link *link = subject->links; link < subject->links + subject->n_links; link++) {
+        const double term =
+            simulation_exchange(&subject->mpm->sim, exchange, (size_t)subject->index, link, f, &n);
         if (n == 0)
             return;
-        const double term = n == 2 ? f[0] * f[1] : f[0] * f[1] * f[2];
-        calculation_add(&sum, 1, term, 0, 0)->to = (long)to;
+        calculation_add(&sum, 1, term, 0, 0)->to = (long)link->index;
         sum.result += term;
     }
     calculation_sum(subject->to, &sum);

@@ -2,7 +2,7 @@
 /* The table of exchanges: who gives what to whom in which stage, as a product of named factors. The sums of
  * a step are sums of these products over the pairs of a particle p and a node i of its cell; the written-out
  * sums (explain.c), the arrows of the cell view and the inspector are made of them, and
- * tests/methods/check_mpm_terms.c holds the loops of stages.c to them. In the plane "@" is x and y.
+ * tests/methods/check_terms.c holds the loops of stages.c to them. In the plane "@" is x and y.
  *
  *     m N_i                               mass                        (2)
  *     m v N_i                             momentum                    (3), APIC: v + C (x_i - x) for v
@@ -115,6 +115,13 @@ static void write_form(const char *form, const char *direction, char *out, size_
     out[used] = '\0';
 }
 
+/* Whether a wrong code adds to what the grid had. */
+static bool keeps(const Mpm *mpm, MpmOp op)
+{
+    return (op == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID)) ||
+           (op == OP_MAP_AGAIN && mpm_does(mpm, WRONG_KEEPS_TWICE));
+}
+
 void mpm_list_exchanges(Mpm *mpm)
 {
     int count = 0;
@@ -137,7 +144,7 @@ void mpm_list_exchanges(Mpm *mpm)
                                                  .from = gives ? MPM_PARTICLES : MPM_NODES,
                                                  .to = gives ? MPM_NODES : MPM_PARTICLES,
                                                  .field = words->field,
-                                                 .adds = row->adds,
+                                                 .adds = row->adds || keeps(mpm, row->op),
                                                  .factors = words->factors,
                                                  .note = *words->note ? words->note : NULL};
         }
@@ -223,16 +230,17 @@ static double straining_velocity(const Mpm *mpm, int axis, int p, int node, int 
 
 /* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
  * particle's cell. */
-int mpm_exchange(const Simulation *sim, int exchange, size_t from, size_t to,
+int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *link,
                  double factors[EXCHANGE_FACTORS_MAX])
 {
     ASSERT_INDEX(exchange, sim->n_exchanges);
-    ASSERT_INDEX(from, sim->counts[sim->exchanges[exchange].from]);
-    ASSERT_INDEX(to, sim->counts[sim->exchanges[exchange].to]);
+    ASSERT_INDEX(index, sim->counts[1 - link->set]);
+    ASSERT_INDEX(link->index, sim->counts[link->set]);
     const Mpm *mpm = mpm_of_const(sim);
     const MpmExchange *of = &mpm->terms[exchange];
-    const bool gives = mpm_op_gives(of->op), plane = mpm->dim == 2;
-    const int p = (int)(gives ? from : to), node = (int)(gives ? to : from), base = mpm->base[p];
+    const bool plane = mpm->dim == 2, own = link->set == MPM_NODES;
+    const int p = (int)(own ? index : link->index), node = (int)(own ? link->index : index);
+    const int base = mpm->base[p];
     const int gx = plane ? mpm->gx : mpm->n_nodes, axis = of->axis;
     const int at[2] = {node % gx - base % gx, node / gx - base / gx};
     if (!at_hand(mpm, of) || at[0] < 0 || at[0] >= mpm->support || at[1] < 0 ||

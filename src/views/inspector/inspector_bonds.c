@@ -89,7 +89,7 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
         table->columns[LENGTH].values[i] = links[i].apart[0];
         table->columns[STRETCH].values[i] = links[i].stretch;
         table->columns[STIFFNESS].values[i] = f[LINK_C] * f[LINK_G] * f[LINK_W] * f[LINK_V];
-        table->columns[FORCE].values[i] = link_density(&links[i]) * links[i].direction[0];
+        table->columns[FORCE].values[i] = link_pull(&links[i]) * links[i].direction[0];
     }
     add_totals(sim, node, (const char *const[]){"force"}, &load, table);
     table->columns[FORCE].style =
@@ -303,7 +303,7 @@ static void describe_forces(const Family *family, PictureTable *table)
         snprintf(column->name, sizeof column->name, "%s", names[d]);
         for (const Link *link = family->links; link < family->links + family->count; link++)
             column->values[1 + (link->apart[0] > 0) - (link->apart[0] < 0)] +=
-                link_density(link) * link->direction[d];
+                link_pull(link) * link->direction[d];
     }
     add_totals(family->sim, family->node, names, loads, table);
 }

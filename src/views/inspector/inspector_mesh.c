@@ -43,12 +43,10 @@ static Subject subject_of(const Screen *screen)
 
 /* --- what a stage passes on -------------------------------------------------------------------------- */
 
-static int factors_of(const Block *block, int exchange, size_t link, double factors[EXCHANGE_FACTORS_MAX])
+static int factors_of(const Subject *subject, int exchange, size_t link, double factors[EXCHANGE_FACTORS_MAX])
 {
-    const Subject *subject = block->subject;
-    const size_t other = subject->links[link].index;
-    return subject->sim->method->exchange(subject->sim, exchange, block->takes ? other : subject->index,
-                                          block->takes ? subject->index : other, factors);
+    return subject->sim->method->exchange(subject->sim, exchange, subject->index, &subject->links[link],
+                                          factors);
 }
 
 static bool is_passed(const Block *block, int exchange)
@@ -58,7 +56,7 @@ static bool is_passed(const Block *block, int exchange)
     double factors[EXCHANGE_FACTORS_MAX];
     return strcmp(passed->stage, subject->sim->stages[block->stage].id) == 0 &&
            (block->takes ? passed->to : passed->from) == subject->set && subject->n_links > 0 &&
-           factors_of(block, exchange, 0, factors) > 0;
+           factors_of(subject, exchange, 0, factors) > 0;
 }
 
 static bool passes_any(const Subject *subject, int stage, bool takes)
@@ -107,7 +105,7 @@ static void add_factors(const Block *block, int exchange)
     const Exchange *passed = &block->subject->sim->exchanges[exchange];
     double factors[EXCHANGE_FACTORS_MAX];
     for (size_t i = 0; i < block->subject->n_links; i++) {
-        const int n_factors = factors_of(block, exchange, i, factors);
+        const int n_factors = factors_of(block->subject, exchange, i, factors);
         const char *words = passed->factors;
         char word[32];
         for (int f = 0; f < n_factors && text_next_word(&words, word, sizeof word); f++) {
@@ -143,21 +141,20 @@ static void add_totals(const Block *block, const Exchange *passed, TableColumn *
 static void add_product(const Block *block, int exchange)
 {
     PictureTable *table = block->table;
-    const Exchange *passed = &block->subject->sim->exchanges[exchange];
+    const Subject *subject = block->subject;
+    const Exchange *passed = &subject->sim->exchanges[exchange];
     const unsigned bit = 1u << table->n_columns;
     const char *words = passed->factors;
     char word[32];
     double factors[EXCHANGE_FACTORS_MAX];
+    int count;
     TableColumn *column = add_column(table, words);
     if (!column)
         return;
     column->adds = true;
-    for (size_t i = 0; i < block->subject->n_links; i++) {
-        const int n_factors = factors_of(block, exchange, i, factors);
-        column->values[i] = n_factors > 0;
-        for (int f = 0; f < n_factors; f++)
-            column->values[i] *= factors[f];
-    }
+    for (size_t i = 0; i < subject->n_links; i++)
+        column->values[i] =
+            simulation_exchange(subject->sim, exchange, subject->index, &subject->links[i], factors, &count);
     while (text_next_word(&words, word, sizeof word))
         if (factor_named(table, word))
             factor_named(table, word)->in |= bit;

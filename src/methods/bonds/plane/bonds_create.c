@@ -201,6 +201,7 @@ static const Method beam_method = {
     .on_request = on_request,
     .field = beam_field,
     .links = beam_links,
+    .exchange = beam_exchange,
     .load_on = beam_load_on,
     .explain = beam_explain,
     .state_size = beam_state_size,

@@ -6,7 +6,7 @@
 
 #include <limits.h>
 #include <math.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Velocity Verlet (paper P, eqs. 9 to 11), with the fields that it reads and writes. */
@@ -91,6 +91,14 @@ static const KickWords kick_words[][2] = {
                                   "The new force carries the velocity from half step to half step."}},
 };
 
+/* What bonds give their ends, along a line and in the plane. */
+#define BONDS_GIVE(field, factors)                                                                           \
+    {                                                                                                        \
+        "bonds", SET_PARTICLE, SET_PARTICLE, field, false, factors, "p = c G w V s"                          \
+    }
+static const Exchange exchange_table[] = {BONDS_GIVE("force", "p n"), BONDS_GIVE("fx", "p nx"),
+                                          BONDS_GIVE("fy", "p ny")};
+
 /* NULL: as it is. */
 static void reword(Stage *stage, const char *equation, const char *source, const char *sentence)
 {
@@ -158,6 +166,12 @@ void beam_set_stages(Beam *beam)
     word_mistake(beam->stages, beam->def.conceals_mistake ? NULL : bonds_mistake(beam));
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = beam->lattice.line ? STAGE_DAMAGE : N_STAGES;
+    beam->sim.exchanges = beam->exchanges;
+    beam->sim.n_exchanges = beam->lattice.line ? 1 : 2;
+    for (int d = 0; d < beam->sim.n_exchanges; d++) {
+        beam->exchanges[d] = exchange_table[beam->lattice.line ? 0 : 1 + d];
+        beam->exchanges[d].adds = bonds_does(beam, BONDS_WRONG_FORCE_STAYS);
+    }
 }
 
 /* A node, now and before the stage. */
@@ -320,96 +334,45 @@ static void explain_constraints(const Beam *beam, Calculation *calculation, size
     calculation_write(calculation, "free: nothing holds this node\n");
 }
 
-static int by_pull(const void *a, const void *b)
-{
-    const double one = fabs(((const BondNow *)a)->pull), other = fabs(((const BondNow *)b)->pull);
-    return (one < other) - (one > other);
-}
-
 /* How many bonds of a family are broken, and how many of these the notch cut. */
-static void write_lost(const Beam *beam, Calculation *calculation, const BondPlace *family, size_t n)
+static void write_lost(const Beam *beam, Calculation *calculation, const Link *family, size_t n)
 {
     size_t broken = 0, cut = 0;
-    for (size_t k = 0; k < n; k++) {
-        const size_t slot = lattice_slot(&beam->lattice, family[k]);
-        if (beam_bit(beam->notched, slot))
-            cut++;
-        else
-            broken += beam_bit(beam->broken, slot);
+    for (const Link *link = family; link < family + n; link++) {
+        broken += link->broken && link->broken_at > 0;
+        cut += link->broken && link->broken_at == 0;
     }
     calculation_write(calculation, "%zu of %zu bonds broken", broken, n);
     if (cut > 0)
         calculation_write(calculation, ", %zu cut%s", cut,
                           beam->def.problem == BEAM_NOTCHED ? " by the notch" : " from the start");
+    calculation_write(calculation, "; ");
 }
 
-/* The sum of what bonds pull; by a code that does not reset f, on top of what that was. */
-static void write_force(const Beam *beam, Calculation *calculation, CalculationSum *sum, double now)
+/* The pull of the strongest bond, and the sums of the table of exchanges. */
+static void explain_bonds(const Beam *beam, Calculation *calculation, Link *family, size_t n, size_t index)
 {
-    if (bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
-        sum->has_base = true;
-        sum->base = now - sum->result;
-        sum->result = now;
+    const Simulation *sim = &beam->sim;
+    const char *pull = strchr(sim->exchanges[0].note, '=') + 2;
+    size_t whole = 0;
+    simulation_sort_links(family, n);
+    while (whole < n && !family[whole].broken)
+        whole++;
+    if (!beam->lattice.line)
+        write_lost(beam, calculation, family, n);
+    if (whole > 0) {
+        char words[64];
+        snprintf(words, sizeof words, "to %s%zu: %s = ", family->mirrored ? "the mirror of " : "",
+                 family->index, pull);
+        CalculationSum sum = {.label = words, .result = link_pull(family)};
+        calculation_add(&sum, 2, family->stiffness, family->stretch, 0);
+        calculation_sum(calculation, &sum);
     }
-    calculation_sum(calculation, sum);
-}
-
-/* f = Σ c G w V s of a bar, the nearest bonds first, left before right. */
-static void explain_line_bonds(const Beam *beam, Calculation *calculation, const BondPlace *family, size_t n,
-                               size_t index, const NodeNow *now)
-{
-    CalculationSum sum = {.label = "f = Σ (c G w V) s = "};
-    calculation_write(calculation, "nearest bonds first: ");
-    for (int o = 0; o < beam->lattice.n_offsets; o++)
-        for (size_t k = 0; k < n; k++) {
-            if (family[k].offset != o)
-                continue;
-            const BondNow bond = bonds_seen_from(beam, family[k], index);
-            const double pull = bond.pull * bond.direction[0];
-            const double whole = beam->coefficient[lattice_slot(&beam->lattice, family[k])];
-            const int other = bond.owned ? family[k].i + o + 1 : family[k].i;
-            calculation_add(&sum, 2, bond.stretch != 0 ? pull / bond.stretch : bond.direction[0] * whole,
-                            bond.stretch, 0);
-            sum.result += pull;
-            if (o == 0)
-                calculation_write(calculation, "to %sp%zu, ",
-                                  lattice_is_image(&beam->lattice, other) ? "the mirror of " : "", bond.b);
-        }
-    calculation_write(calculation, "and so on\n");
-    write_force(beam, calculation, &sum, now->f[0]);
-}
-
-/* The strongest bonds first, the rest as one number. */
-static void explain_bonds(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
-{
-    BondPlace family[FAMILY_MAX];
-    BondNow bonds[FAMILY_MAX];
-    size_t n = beam_family_of(beam, index, family);
-    CalculationSum sums[2] = {{.label = "fx = ", .unit = "N/m³"}, {.label = "fy = ", .unit = "N/m³"}};
-    if (beam->lattice.line) {
-        explain_line_bonds(beam, calculation, family, n, index, now);
-        return;
+    for (int d = 0; d < sim->n_exchanges; d++) {
+        const Label words = label(beam, "f@ = ", d);
+        CalculationSum sum = {.label = words.text, .unit = unit_of(beam, "N/m³")};
+        calculation_exchange(calculation, &sum, sim, d, index, family, whole);
     }
-    for (size_t k = 0; k < n; k++)
-        bonds[k] = bonds_seen_from(beam, family[k], index);
-    qsort(bonds, n, sizeof *bonds, by_pull);
-    write_lost(beam, calculation, family, n);
-    if (n > 0 && bonds[0].stretch != 0) {
-        const BondNow *first = &bonds[0];
-        calculation_write(calculation, "; to %zu: ", first->b);
-        CalculationSum pull = {.label = "c G w V s = ", .result = first->pull};
-        calculation_add(&pull, 2, first->pull / first->stretch, first->stretch, 0);
-        calculation_sum(calculation, &pull);
-    } else {
-        calculation_write(calculation, "; none is stretched\n");
-    }
-    for (size_t k = 0; k < n; k++)
-        for (int d = 0; bonds[k].pull != 0 && d < 2; d++) {
-            sums[d].result += bonds[k].pull * bonds[k].direction[d];
-            calculation_add(&sums[d], 2, bonds[k].pull, bonds[k].direction[d], 0);
-        }
-    for (int d = 0; d < 2; d++)
-        write_force(beam, calculation, &sums[d], now->f[d]);
 }
 
 /* The terms of eq. 8's b that act on the node; what the bonds had left in f is solved for. */
@@ -439,35 +402,17 @@ static void explain_body_force(const Beam *beam, Calculation *calculation, size_
 }
 
 /* Eq. 5 by weights w, all areas being equal: broken over all. */
-static void explain_damage(const Beam *beam, Calculation *calculation, size_t index)
+static void explain_damage(const Beam *beam, Calculation *calculation, const Link *family, size_t n,
+                           size_t index)
 {
-    BondPlace family[FAMILY_MAX];
-    const size_t n = beam_family_of(beam, index, family);
     double broken;
     const double all = beam_family_weight(beam, index, LONG_MAX, &broken);
     write_lost(beam, calculation, family, n);
-    calculation_number(calculation, "; in weights ", broken);
+    calculation_number(calculation, "in weights ", broken);
     calculation_value(calculation, " of ", all);
     CalculationSum sum = {.label = "φ = ", .result = beam->damage[index]};
     calculation_add(&sum, 1, broken, 0, 0)->divisor = all;
     calculation_sum(calculation, &sum);
-}
-
-/* One bond by eqs. 3 and 8: stretch against s0, pull, energy. */
-static void explain_bond(const Beam *beam, Calculation *calculation, size_t index)
-{
-    BondNow bond = beam_bond(beam, lattice_bond_place(&beam->lattice, index));
-    calculation_write(calculation, "bond %zu to %zu: ", bond.a, bond.b);
-    calculation_number(calculation, "s = ", bond.stretch);
-    if (beam->head->critical_stretch > 0)
-        calculation_number(calculation, " of s0 = ", beam->head->critical_stretch);
-    if (bond.broken) {
-        calculation_write(calculation, "; broken: it carries nothing\n");
-        return;
-    }
-    calculation_number(calculation, ", pull ", bond.pull);
-    calculation_number(calculation, beam->lattice.line ? ", energy " : " N/m³, energy ", bond.energy);
-    calculation_write(calculation, beam->lattice.line ? " per unit cross-section\n" : " J\n");
 }
 
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
@@ -478,10 +423,8 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
     const Beam *beam = (const Beam *)sim;
     Calculation text;
     calculation_open(&text, out, size, terms);
-    if (set == SET_BOND) {
-        explain_bond(beam, &text, index);
-        return;
-    }
+    Link family[FAMILY_MAX];
+    const size_t n = beam_links(sim, set, index, family, FAMILY_MAX);
     const NodeNow now = node_at(beam, index, NULL), earlier = node_at(beam, index, before);
     const NodeNow *was = before ? &earlier : NULL;
     switch (stage) {
@@ -496,12 +439,12 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
         explain_constraints(beam, &text, index, &now);
         break;
     case STAGE_BONDS:
-        explain_bonds(beam, &text, index, &now);
+        explain_bonds(beam, &text, family, n, index);
         break;
     case STAGE_BODY_FORCE:
         explain_body_force(beam, &text, index, &now);
         break;
     default:
-        explain_damage(beam, &text, index);
+        explain_damage(beam, &text, family, n, index);
     }
 }

@@ -342,11 +342,14 @@ static double bond_field(const Beam *beam, int field, BondPlace place)
     const Lattice *lattice = &beam->lattice;
     const Offset *offset = &lattice->offsets[place.offset];
     const BondNow bond = beam_bond(beam, place);
+    const size_t slot = lattice_slot(lattice, place);
+    size_t ends[2];
+    lattice_ends(lattice, place, ends);
     switch (field) {
     case F_I:
-        return (double)bond.a;
+        return (double)ends[0];
     case F_J:
-        return (double)bond.b;
+        return (double)ends[1];
     case F_XI:
         return lattice_x(lattice, place.i);
     case F_YI:
@@ -358,13 +361,13 @@ static double bond_field(const Beam *beam, int field, BondPlace place)
     case F_BOND_STRETCH:
         return bond.stretch;
     case F_BROKEN:
-        return bond.broken;
+        return beam_bit(beam->broken, slot);
     case F_BROKEN_AT:
-        return bond.broken ? (double)beam->broken_at[lattice_slot(lattice, place)] : -1;
+        return beam_bit(beam->broken, slot) ? (double)beam->broken_at[slot] : -1;
     case F_NOTCH:
-        return bond.notch;
+        return beam_bit(beam->notched, slot);
     case F_PULL:
-        return bond.pull;
+        return bond.stiffness * bond.stretch;
     case F_BOND_ENERGY:
         return bond.energy;
     case F_MICROMODULUS:

@@ -68,8 +68,9 @@ typedef struct Beam {
     BeamFacts facts;
     Quantity series[BEAM_SERIES_MAX]; /* of this problem */
     int series_entry[BEAM_SERIES_MAX];
-    Stage stages[N_STAGES];    /* likewise */
-    ForceWords force_words;    /* of the stage that adds what acts from outside */
+    Stage stages[N_STAGES];                        /* likewise */
+    Exchange exchanges[SIMULATION_DIMENSIONS_MAX]; /* likewise */
+    ForceWords force_words;                        /* of the stage that adds what acts from outside */
     struct BondsMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
 
     void *block; /* of most arrays of the model, the state and what follows from it */
@@ -255,17 +256,15 @@ double beam_kinetic(Beam *beam);
 void beam_set_fields(Beam *beam);
 void beam_field(const Simulation *sim, int field, size_t first, size_t count, double *out);
 
-/* bonds_family.c: one bond as it stands. */
+/* bonds_mistakes.c: one bond as it stands, by eqs. 2 and 3, or as a wrong code takes it. */
 typedef struct BondNow {
-    size_t a, b; /* nodes: the owner and the other end */
     double stretch;
-    double direction[2]; /* from a to b as they are now, of length 1 */
-    double pull;         /* force density, N/m^3: positive in tension, 0 when broken */
-    double energy;       /* J; 0 when broken */
-    bool broken, notch;
-    bool owned; /* a is its owner, and so sees it to the right */
+    double
+        stiffness;   /* c G w V of the right code, N/m^3; 0 when broken: its pull is this times the stretch */
+    double share[2]; /* of the pull that its owner and its other end get: 1 by the right code */
+    double direction[2]; /* from the owner to the other end as they are now, of length 1 */
+    double energy;       /* J */
 } BondNow;
-
 BondNow beam_bond(const Beam *beam, BondPlace place);
 
 /* The bonds of a node, by the row of the other end and then by its column; returns how many there are. */
@@ -273,6 +272,8 @@ size_t beam_family(const Beam *beam, int i, int j, BondPlace *out);
 size_t beam_family_of(const Beam *beam, size_t node, BondPlace *out);
 enum { FAMILY_MAX = 2 * LATTICE_OFFSETS_MAX };
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max);
+int beam_exchange(const Simulation *, int exchange, size_t index, const Link *,
+                  double factors[EXCHANGE_FACTORS_MAX]);
 
 /* bonds_explain.c */
 void beam_set_stages(Beam *);

@@ -173,12 +173,6 @@ double bonds_kick_share(Stepping stepping, const BondsMistake *mistake, bool sec
 
 /* --- bonds ------------------------------------------------------------------------------------------ */
 
-/* Whether the owner of bonds of this direction is their left end, or of upright ones the lower. */
-static bool owner_is_left(const Offset *offset)
-{
-    return offset->p > 0 || (offset->p == 0 && offset->q > 0);
-}
-
 /* The partner that comes first (way -1) or last (1) in the list of node (i, j), by rows; offsets are in that
  * order. */
 static void partner_at_end(const Lattice *lattice, int i, int j, int way, int *p, int *q)
@@ -214,32 +208,33 @@ static double mistake_share(const BondsMistake *mistake, const BondEnd *end)
     return product;
 }
 
-BondsPull bonds_pull(const Beam *beam, BondPlace place)
+BondNow beam_bond(const Beam *beam, BondPlace place)
 {
+    ASSERT(lattice_has(&beam->lattice, place.i, place.j));
     ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
-    const Offset *offset = &beam->lattice.offsets[place.offset];
+    const Lattice *lattice = &beam->lattice;
+    const Offset *offset = &lattice->offsets[place.offset];
     const BondsMistake *mistake = bonds_mistake(beam);
-    const double ex = lattice_apart(&beam->lattice, place, beam->nodes.ux),
-                 ey = lattice_apart(&beam->lattice, place, beam->nodes.uy);
+    const double ex = lattice_apart(lattice, place, beam->nodes.ux),
+                 ey = lattice_apart(lattice, place, beam->nodes.uy);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
-    const double stretch = offset_stretch(offset, ex, ey),
-                 whole = beam->coefficient[lattice_slot(&beam->lattice, place)] * stretch;
-    const bool left = owner_is_left(offset);
+    const bool left = offset->p > 0 || (offset->p == 0 && offset->q > 0);
     BondEnd own = {.left = left, .owner = true, .rest = offset->length, .now = length};
     BondEnd other = {.left = !left, .rest = offset->length, .now = length};
     if (mistake_does(mistake, BONDS_WRONG_BY_LIST)) {
-        find_in_list(&beam->lattice, place.i, place.j, offset->p, offset->q, &own);
-        find_in_list(&beam->lattice, place.i + offset->p, place.j + offset->q, -offset->p, -offset->q,
-                     &other);
+        find_in_list(lattice, place.i, place.j, offset->p, offset->q, &own);
+        find_in_list(lattice, place.i + offset->p, place.j + offset->q, -offset->p, -offset->q, &other);
     }
-    BondsPull pull = {x / length, y / length, whole, whole, whole * stretch};
+    BondNow bond = {.stretch = offset_stretch(offset, ex, ey),
+                    .stiffness = beam->coefficient[lattice_slot(lattice, place)],
+                    .share = {mistake_share(mistake, &own), mistake_share(mistake, &other)},
+                    .direction = {x / length, y / length}};
     if (mistake_does(mistake, BONDS_WRONG_ALONG_REST)) {
-        pull.x = offset->x / offset->length;
-        pull.y = offset->y / offset->length;
+        bond.direction[0] = offset->x / offset->length;
+        bond.direction[1] = offset->y / offset->length;
     }
-    pull.own *= mistake_share(mistake, &own);
-    pull.other *= mistake_share(mistake, &other);
-    return pull;
+    bond.energy = bond.stiffness * bond.stretch * bond.stretch * offset->length * beam->system.energy_scale;
+    return bond;
 }
 
 void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy, BondLog *log,
@@ -256,13 +251,15 @@ void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy
             const size_t slot = lattice_slot(lattice, (BondPlace){i, j, o});
             if (beam->coefficient[slot] == 0)
                 continue;
-            const BondsPull pull = bonds_pull(beam, (BondPlace){i, j, o});
-            fx[0][i] += pull.own * pull.x;
-            fy[0][i] += pull.own * pull.y;
-            fx[offset->q][i + offset->p] -= pull.other * pull.x;
-            fy[offset->q][i + offset->p] -= pull.other * pull.y;
-            sum += pull.energy * offset->length;
-            if (!isfinite(pull.own + pull.x + pull.y) && !log->unstable) {
+            const BondNow bond = beam_bond(beam, (BondPlace){i, j, o});
+            const double pull = bond.stiffness * bond.stretch, *n = bond.direction;
+            const double own = pull * bond.share[0], other = pull * bond.share[1];
+            fx[0][i] += own * n[0];
+            fy[0][i] += own * n[1];
+            fx[offset->q][i + offset->p] -= other * n[0];
+            fy[offset->q][i + offset->p] -= other * n[1];
+            sum += pull * bond.stretch * offset->length;
+            if (!isfinite(own + n[0] + n[1]) && !log->unstable) {
                 log->unstable = true;
                 log->unstable_slot = slot;
             }

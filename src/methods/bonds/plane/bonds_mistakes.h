@@ -84,19 +84,6 @@ bool bonds_check_mistake(const BeamDef *, Status *);
 /* Whether a run may go from one to the other. */
 bool bonds_mistake_may_change(int from, int to, bool conceals, Status *);
 
-/* What a bond pulls at its owner and at its other end: in this code's words or, without a mistake, the right
- * ones. */
-typedef struct BondsPull {
-    double x, y; /* the direction from the one to the other */
-    double own, other;
-    double energy; /* over V |xi|/2 and the thickness */
-} BondsPull;
-BondsPull bonds_pull(const Beam *, BondPlace);
-
-/* bonds_family.c. A bond as one of its ends, node `index`, meets it: seen from there, with what this code
- * lets it pull. */
-BondNow bonds_seen_from(const Beam *, BondPlace, size_t index);
-
 /* Adds to fx[q], fy[q] what the bonds of row j give (beam_bonds_of_row()), and returns their energy, J.
  * Nothing breaks; what is not a number is logged as unstable. */
 void bonds_forces_of_row(Beam *, int j, double *const *fx, double *const *fy, BondLog *, double *energy);
