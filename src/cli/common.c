@@ -70,18 +70,15 @@ int progress_threads(long wanted)
     return wanted > 0 ? (int)wanted : threads_default(false);
 }
 
-static size_t add_line(char *out, size_t size, size_t used, const Derived *derived)
+static void add_line(char *out, size_t size, const Derived *derived)
 {
     char value[NUMBER_TEXT_MAX];
-    if (used >= size)
-        return used;
     if (derived->integer)
         snprintf(value, sizeof value, "%.0f", derived->value);
     else
         text_shortest(value, derived->value);
     const char *unit = strcmp(derived->unit, "1") == 0 ? "" : derived->unit; /* a plain number */
-    int n = snprintf(out + used, size - used, "%s = %s%s%s\n", derived->name, value, *unit ? " " : "", unit);
-    return used + (n > 0 ? (size_t)n : 0);
+    text_append(out, size, "%s = %s%s%s\n", derived->name, value, *unit ? " " : "", unit);
 }
 
 bool cli_derived_text(const Settings *settings, char *out, size_t size, Status *status)
@@ -98,15 +95,14 @@ bool cli_derived_text(const Settings *settings, char *out, size_t size, Status *
     simulation_destroy(simulation);
     if (!complete)
         return status_fail(status, "not enough memory for the numbers that follow from these");
-    size_t used = 0;
     out[0] = '\0';
     for (int i = 0; i < count; i++)
-        used = add_line(out, size, used, &derived[i]);
+        add_line(out, size, &derived[i]);
     Status refusal = {0};
     bool allowed = problem_advice(settings, advice, sizeof advice, &refusal);
-    if (used < size && (!allowed || *advice))
-        snprintf(out + used, size - used, "%s%s\n",
-                 allowed ? "" : "a run is refused: ", allowed ? advice : refusal.text);
+    if (!allowed || *advice)
+        text_append(out, size, "%s%s\n",
+                    allowed ? "" : "a run is refused: ", allowed ? advice : refusal.text);
     return true;
 }
 

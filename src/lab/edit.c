@@ -195,11 +195,7 @@ void edit_begin(Laboratory *lab)
         return;
     /* a few words are sooner gone through than typed */
     if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
-        Settings settings = *laboratory_settings(lab);
-        Status status = {STATUS_DONE, ""};
-        if (!settings_nudge(&settings, parameter, 1, false) ||
-            !edit_change(lab, &settings, experiment_edit, &status))
-            laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+        edit_nudge(lab, 1, false);
         return;
     }
     settings_get(laboratory_settings(lab), parameter, lab->parameters.edit.text);

@@ -71,25 +71,6 @@ bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
     return true;
 }
 
-/* What was shown is rounded: a word that was left as it stood there means the value that it stands for. */
-static void keep_digits(const Settings *settings, int kind, int row, const char *typed,
-                        char out[ROW_TEXT_MAX])
-{
-    char shown[ROW_TEXT_MAX], exact[ROW_TEXT_MAX], words[ROW_TEXT_MAX];
-    char *show, *get, *type;
-    settings_row_show(settings, kind, row, shown);
-    settings_row_get(settings, kind, row, exact);
-    snprintf(words, sizeof words, "%s", typed);
-    const char *was = strtok_r(shown, " ", &show), *is = strtok_r(exact, " ", &get);
-    out[0] = '\0';
-    for (char *word = strtok_r(words, " ", &type); word; word = strtok_r(NULL, " ", &type)) {
-        text_append(out, ROW_TEXT_MAX, "%s%s", out[0] ? " " : "",
-                    was && is && strcmp(word, was) == 0 ? is : word);
-        was = was ? strtok_r(NULL, " ", &show) : NULL;
-        is = is ? strtok_r(NULL, " ", &get) : NULL;
-    }
-}
-
 /* Under another name it is another row in the place of the old one. */
 static bool accept(Laboratory *lab, Status *status)
 {
@@ -102,15 +83,14 @@ static bool accept(Laboratory *lab, Status *status)
     Settings settings = *laboratory_settings(lab);
     if (!part(kind, text, name, &values))
         return status_refuse(status, "a %s is NAME = %s", row_kinds[kind].one, row_kinds[kind].form);
-    char old[ROW_NAME_MAX], meant[ROW_TEXT_MAX];
+    char old[ROW_NAME_MAX];
     snprintf(old, sizeof old, "%s", settings.rows[kind].rows[row].name);
-    keep_digits(&settings, kind, row, values, meant);
     const bool renamed = strcmp(old, name) != 0;
     if (renamed && settings_row_find(&settings, kind, name) >= 0)
         return status_refuse(status, "%s.%s: there is one of that name already", row_kinds[kind].section,
                              name);
     if ((renamed && !settings_row_remove(&settings, kind, old, status)) ||
-        !settings_row_set(&settings, kind, name, meant, status))
+        !settings_row_set(&settings, kind, name, values, status))
         return false;
     if (renamed) {
         /* The last row of a kind comes to a place further up. */
@@ -148,7 +128,7 @@ void row_edit_begin(Laboratory *lab)
     } else if (place.row == ROW_NEW)
         row_edit_add(lab);
     else {
-        settings_row_show(settings, place.kind, place.row, values);
+        settings_row_get(settings, place.kind, place.row, values);
         edit->text[0] = '\0';
         if (!row_kinds[place.kind].usual)
             text_append(edit->text, sizeof edit->text,
@@ -214,20 +194,6 @@ static double spacing_of(const Settings *settings, int kind)
                : settings_lattice(settings)->spacing;
 }
 
-/* A place of an end, m; what was a share of the plate stays one. */
-static void put_place(Settings *settings, const RowsShown *shown, int column, int axis, double place)
-{
-    const Row *row = &settings->rows[shown->kind].rows[shown->row];
-    char key[KEY_MAX], text[32];
-    snprintf(key, sizeof key, "%s%s%s.%s", row_kinds[shown->kind].section, *row->name ? "." : "", row->name,
-             row_kinds[shown->kind].columns[column].word);
-    if (row->shares >> column & 1)
-        snprintf(text, sizeof text, "%.13g%%", 100 * place / extent(settings, axis));
-    else
-        snprintf(text, sizeof text, "%.15g", place);
-    settings_row_key_set(settings, key, text, NULL);
-}
-
 /* Both ends together stop where the first of them meets an edge. */
 static void shift(Laboratory *lab, const double by[2])
 {
@@ -245,8 +211,9 @@ static void shift(Laboratory *lab, const double by[2])
         }
         for (int end = 0; end < 2 && way != 0; end++)
             if (columns[end][axis] >= 0 && (shown->end == end || shown->end == ROW_BOTH_ENDS))
-                put_place(draft, shown, columns[end][axis], axis,
-                          settings_row_value(draft, shown->kind, shown->row, columns[end][axis]) + way);
+                settings_row_place_put(
+                    draft, &(RowPlace){shown->kind, shown->row, columns[end][axis] + 1, false},
+                    settings_row_value(draft, shown->kind, shown->row, columns[end][axis]) + way);
     }
 }
 

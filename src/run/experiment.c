@@ -203,19 +203,21 @@ void experiment_rest(Experiment *experiment)
     experiment->flowing = false;
 }
 
-/* A snapshot in a buffer that grows. False: not enough memory. */
-static bool keep_state(const Simulation *sim, unsigned char **bytes, size_t *room)
+/* In a buffer that grows. False: not enough memory. */
+static bool keep(const Simulation *sim, Kept *kept)
 {
     size_t size = simulation_snapshot_size(sim);
-    if (size > *room) {
-        unsigned char *more = realloc(*bytes, size);
+    kept->known = false;
+    if (size > kept->room) {
+        unsigned char *more = realloc(kept->bytes, size);
         if (!more)
             return false;
-        *bytes = more;
-        *room = size;
+        kept->bytes = more;
+        kept->room = size;
     }
-    simulation_snapshot(sim, *bytes);
-    return true;
+    simulation_snapshot(sim, kept->bytes);
+    kept->head = size - sim->method->state_size(sim);
+    return kept->known = true;
 }
 
 static bool next_stage(Experiment *experiment, Status *status)
@@ -223,11 +225,8 @@ static bool next_stage(Experiment *experiment, Status *status)
     if (experiment_at_end(experiment))
         return true;
     experiment_row(experiment); /* in the middle of a step it could not be worked out */
-    const Simulation *sim = experiment->run.sim;
-    Before *before = &experiment->before;
-    before->known = keep_state(sim, &before->bytes, &before->room);
-    before->head = simulation_snapshot_size(sim) - sim->method->state_size(sim);
-    if (experiment_do_stage(experiment, status))
+    keep(experiment->run.sim, &experiment->before);
+    if (experiment_go(experiment, RUN_STAGES, 1, status))
         return true;
     experiment->before.known = false;
     return false;
@@ -242,7 +241,7 @@ bool experiment_next_stage(Experiment *experiment, Status *status)
 
 const void *experiment_before(const Experiment *experiment)
 {
-    const Before *before = &experiment->before;
+    const Kept *before = &experiment->before;
     return before->known ? before->bytes + before->head : NULL;
 }
 
@@ -321,9 +320,9 @@ static bool is_begun(const Simulation *sim)
 /* Back to where the step began. */
 static void undo_part(Experiment *experiment)
 {
-    if (experiment->part.begun)
+    if (experiment->part.known)
         simulation_restore(experiment->run.sim, experiment->part.bytes);
-    experiment->part.begun = false;
+    experiment->part.known = false;
 }
 
 void experiment_drop_part(Experiment *experiment)
@@ -397,13 +396,16 @@ void experiment_goal(const Experiment *experiment, long *step, int *stage)
 /* A part of a step, from which there is a way back; without memory for that there must be no stop in it. */
 static bool do_part(Experiment *experiment, double share, bool *whole, Status *status)
 {
-    Part *part = &experiment->part;
+    Kept *part = &experiment->part;
     const Simulation *sim = experiment->run.sim;
     const double items = fmin(share, 1) * (double)sim->stage_items;
-    if (!part->begun && !keep_state(sim, &part->bytes, &part->room))
+    if (!part->known && !keep(sim, part))
         return experiment_do_steps(experiment, !is_begun(sim), status);
-    const bool sound = experiment_do_slice(experiment, items < 1 ? 1 : (size_t)items, whole, status);
-    part->begun = sound && !*whole;
+    if (!is_begun(sim) && experiment->run.failed && sim->step >= experiment->newest)
+        return status_take(status, &experiment->run.failure);
+    const bool sound = experiment_go(experiment, RUN_ITEMS, items < 1 ? 1 : (long)items, status);
+    *whole = !is_begun(sim);
+    part->known = sound && !*whole;
     return sound;
 }
 
@@ -417,7 +419,7 @@ bool experiment_work(Experiment *experiment, Effort effort, bool *whole, Status 
         undo_part(experiment);
     if (!experiment->pending)
         return true;
-    if (!experiment->part.begun)
+    if (!experiment->part.known)
         experiment_approach(experiment, experiment->goal_step, experiment->goal_stage);
     if (sim->step < experiment->goal_step) {
         const long left = experiment->goal_step - sim->step - is_begun(sim);

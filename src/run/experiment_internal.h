@@ -9,19 +9,12 @@
 #include "run/event_log.h"
 #include "run/record.h"
 
-/* The state before the last stage. */
-typedef struct Before {
+/* A state to which there is a way back. */
+typedef struct Kept {
     unsigned char *bytes;
     size_t room, head; /* what simulation_snapshot() puts before the method's own bytes */
     bool known;
-} Before;
-
-/* The state before a step that is done in parts. */
-typedef struct Part {
-    unsigned char *bytes;
-    size_t room;
-    bool begun;
-} Part;
+} Kept;
 
 /* What is known of E*: at t = 0, and at one step. */
 typedef struct Invariant {
@@ -70,8 +63,8 @@ struct Experiment {
     bool goes_on; /* the goal is that of experiment_go_on() */
     long goal_step;
     int goal_stage;
-    Before before;
-    Part part;
+    Kept before;  /* the last stage */
+    Kept part;    /* or a step that is done in parts, while it is */
     bool flowing; /* rows come in: the readout is worked out now and then only */
     Worked *worked;
 };
@@ -93,12 +86,9 @@ void experiment_rewind(Experiment *, Record *old);
  * whole step; or memory was short. */
 bool experiment_do_steps(Experiment *, long steps, Status *);
 
-/* The next stage; nothing at the end of the run. */
-bool experiment_do_stage(Experiment *, Status *);
-
-/* At most so many items of the step's stages (Simulation.stage_items). *whole: the step came to its end, or
- * there is none to do. In the middle the state is not one of the run. */
-bool experiment_do_slice(Experiment *, size_t items, bool *whole, Status *);
+/* As run_advance(), beyond what is known of a failed run too; where it cannot go on it stands at its last
+ * sound whole step. In the middle of a stage the state is not one of the run. */
+bool experiment_go(Experiment *, RunUnit, long count, Status *);
 
 /* Goes to the last keyframe at or before a step, if that is a way to get there from here: it is where the
  * present is beyond the step, or before the keyframe. */

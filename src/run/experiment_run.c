@@ -205,49 +205,22 @@ static bool fail(Experiment *experiment, const Status *why, Status *status)
     return status_take(status, why);
 }
 
-/* As advance(); where the run cannot go on it stands at its last sound whole step. */
-static bool go(Experiment *experiment, RunUnit unit, long count, Status *status)
+bool experiment_go(Experiment *experiment, RunUnit unit, long count, Status *status)
 {
     Status why = {0};
     return advance(experiment, unit, count, &why) || fail(experiment, &why, status);
-}
-
-/* What is known of a run that failed, and not beyond. */
-static long known(const Experiment *experiment, long steps)
-{
-    return experiment->run.failed ? least(steps, experiment->newest - experiment->run.sim->step) : steps;
 }
 
 bool experiment_do_steps(Experiment *experiment, long steps, Status *status)
 {
     ASSERT_INT(steps, >=, 0);
     const Run *run = &experiment->run;
-    if (!go(experiment, RUN_STEPS, 0, status)) /* a step that has begun */
+    if (!experiment_go(experiment, RUN_STEPS, 0, status)) /* a step that has begun */
         return false;
-    const long sound = known(experiment, steps);
-    return go(experiment, RUN_STEPS, sound, status) &&
+    /* what is known of a run that failed, and not beyond */
+    const long sound = run->failed ? least(steps, experiment->newest - run->sim->step) : steps;
+    return experiment_go(experiment, RUN_STEPS, sound, status) &&
            (sound == steps || run->sim->step >= run->last || status_take(status, &run->failure));
-}
-
-bool experiment_do_stage(Experiment *experiment, Status *status)
-{
-    return go(experiment, RUN_STAGES, 1, status);
-}
-
-bool experiment_do_slice(Experiment *experiment, size_t items, bool *whole, Status *status)
-{
-    ASSERT_INT(items, >=, 1);
-    const Simulation *sim = experiment->run.sim;
-    const bool begun = sim->stage != 0 || sim->item != 0;
-    *whole = !begun && sim->step >= experiment->run.last;
-    if (*whole)
-        return true;
-    if (!begun && known(experiment, 1) == 0)
-        return status_take(status, &experiment->run.failure);
-    if (!go(experiment, RUN_ITEMS, (long)items, status))
-        return false;
-    *whole = sim->stage == 0 && sim->item == 0;
-    return true;
 }
 
 /* --- backwards ------------------------------------------------------------------------------------ */
@@ -434,7 +407,7 @@ bool experiment_change(Experiment *experiment, long step, const Settings *change
     if (others && step > 0) {
         /* the state must be that of a run which never knew another order of changes */
         simulation_restore(sim, history_nearest(&experiment->history, step - 1)->bytes);
-        return go(experiment, RUN_STEPS, step - sim->step, status);
+        return experiment_go(experiment, RUN_STEPS, step - sim->step, status);
     }
     Status why = {0};
     if (!run_change(&experiment->run, &why))

@@ -3,6 +3,7 @@
  */
 #include "lab/laboratory.h"
 #include "scenario/settings.h"
+#include "base/text.h"
 #include "base/visible.h"
 #include "scenario/scenario.h"
 #include "picture/words/tell.h"
@@ -36,8 +37,7 @@ static void offer(Completion *completion, const char *candidate, const char *tai
     const size_t used = strlen(completion->list);
     completion->more |= used + strlen(candidate) + TAIL_ROOM >= sizeof completion->list;
     if (completion->found >= completion->skipped && !completion->more) {
-        snprintf(completion->list + used, sizeof completion->list - used, "%s%s", used ? "  " : "",
-                 candidate);
+        text_append(completion->list, sizeof completion->list, "%s%s", used ? "  " : "", candidate);
         completion->listed++;
     }
     if (completion->found++ == 0) {
@@ -170,12 +170,12 @@ static void offer_views(Completion *completion, const Screen *screen)
     for (int i = 0; i < n_views; i++) {
         if (view_missing(views[i], screen))
             continue;
-        const size_t used = strlen(completion->list);
         if (typed)
             offer(completion, views[i]->word, "");
         else
-            snprintf(completion->list + used, sizeof completion->list - used, "%s%.0d%s%s", used ? "   " : "",
-                     views[i]->digit, views[i]->digit ? " " : "", views[i]->word);
+            text_append(completion->list, sizeof completion->list, "%s%.0d%s%s",
+                        completion->list[0] ? "   " : "", views[i]->digit, views[i]->digit ? " " : "",
+                        views[i]->word);
     }
 }
 
@@ -335,9 +335,7 @@ void complete_tab(Laboratory *lab)
         const int shown = completion.skipped + completion.listed;
         snprintf(prompt->hint, sizeof prompt->hint, "%s", completion.list[0] ? completion.list : "no match");
         if (completion.more) {
-            const size_t used = strlen(prompt->hint);
-            snprintf(prompt->hint + used, sizeof prompt->hint - used, "  (Tab: %d more)",
-                     completion.found - shown);
+            text_append(prompt->hint, sizeof prompt->hint, "  (Tab: %d more)", completion.found - shown);
             lab->prompting.tabbed = shown;
         }
     } else if (before + strlen(completion.common) + 2 < sizeof prompt->text) {

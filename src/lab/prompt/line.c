@@ -291,15 +291,11 @@ static bool plot(Laboratory *lab, const char *words)
     Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
     char thing[FOLLOW_TEXT_MAX], *follow = settings_edit_output(&settings)->follow;
-    const size_t used = strlen(follow);
     name_thing(screen, words, thing);
     if (!*words)
         memset(follow, 0, sizeof settings_output(&settings)->follow);
-    else if (used + strlen(thing) + 3 > sizeof settings_output(&settings)->follow)
+    else if (!text_list_add(follow, sizeof settings_output(&settings)->follow, thing))
         return prompt_refuse(lab, "too many things are followed: plot alone ends them");
-    else
-        snprintf(follow + used, sizeof settings_output(&settings)->follow - used, "%s%s", used ? ", " : "",
-                 thing);
     if (!edit_change(lab, &settings, experiment_edit, &status))
         return prompt_refuse(lab, "%s", status.text);
     const Simulation *sim = laboratory_simulation(lab);

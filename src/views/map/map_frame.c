@@ -108,12 +108,8 @@ bool map_has_mesh(const Map *map)
 static double reach_beside(const Screen *screen, const char *name)
 {
     const Experiment *other = screen_other_run(screen);
-    int count = 0;
-    const Column *columns = other ? experiment_columns(other, &count) : NULL;
-    for (int i = 0; i < count; i++)
-        if (strcmp(columns[i].quantity.name, name) == 0)
-            return time_plot_reach(experiment_record(other), i);
-    return 0;
+    const int column = other ? experiment_column(other, name) : -1;
+    return column >= 0 ? time_plot_reach(experiment_record(other), column) : 0;
 }
 
 double map_reach(const Map *map, int field, const double *now)
