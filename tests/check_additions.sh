@@ -58,7 +58,8 @@ commands() {
 	sed -nE 's/^COMMAND(_BY)?\([A-Z_0-9]+, (command_[a-z_0-9]+),.*/\2/p' src/help/command_rows.inc | sort -u | named '\<' '\>'
 }
 mistakes() {
-	sed -nE 's/^MISTAKE\("([a-z_0-9]+)".*/\1/p' src/methods/mpm/mistake_rows.inc src/methods/bonds/plane/bonds_mistake_rows.inc |
+	sed -nE 's/^MISTAKE\("([a-z_0-9]+)".*/\1/p' src/methods/mpm/mistake_rows.inc src/methods/mpm/bodies_mistake_rows.inc \
+		src/methods/bonds/plane/bonds_mistake_rows.inc |
 		named '"' '"'
 }
 scenarios() { listed data/scenarios/*.ini; }

@@ -82,8 +82,8 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     BarTheory theory;
     if (!bar_theory_of(settings, &theory, status))
         return NULL;
-    if (bar_mistake_starts_as_held(settings_transfer(settings)->mistake) ||
-        bar_mistake_starts_as_held(settings_transfer(settings)->mistake_beside))
+    if (mpm_mistake_starts_as_held(settings_transfer(settings)->mistake) ||
+        mpm_mistake_starts_as_held(settings_transfer(settings)->mistake_beside))
         theory.right_fixed = theory.left_fixed;
     return create(mpm_definition(settings, threads), settings, &theory, status);
 }

@@ -80,7 +80,7 @@ fi
 # Bodies: every mistake of the plane is named, a scheme that keeps angular momentum is not taken for the exact answer,
 # momenta that cancel to round-off tell nothing, and neither does another code's round-off.
 coarse_cells="--set mesh.cell_size=0.1" # an eighth of the work
-for mistake in $(sed -n 's/^    \[BODIES_[A-Z_]*\] = "\([a-z_]*\)",$/\1/p' "$MATVIB_SRCDIR/src/methods/mpm/bodies_mistakes.c"); do
+for mistake in none $(sed -n 's/^MISTAKE("\([a-z_]*\)".*/\1/p' "$MATVIB_SRCDIR/src/methods/mpm/bodies_mistake_rows.inc"); do
 	# shellcheck disable=SC2086
 	make bodies.csv two-discs-off-centre $coarse_cells --end 0.6 --set "mpm.body_mistake=$mistake"
 	status=1

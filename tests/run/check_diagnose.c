@@ -184,11 +184,11 @@ START_TEST(a_bars_mistake_is_named)
         const Settings right = any_bar(&state);
         const char *const *columns = columns_of_bar[draw(&state, 3)];
         const long count = steps[draw(&state, 5)];
-        for (int m = 0; bar_mistake_words[m]; m++)
+        for (int m = 0; mpm_mistake_words[m]; m++)
             for (int d = 0; d < 3; d++)
                 if (all || (m % settings_wanted == k && (m / 3 + m) % 3 == d))
                     /* three numbers of six digits fit a mistake with another value too */
-                    judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL,
+                    judge(&right, "mpm.mistake", m > 0 ? mpm_mistake_words[m] : NULL,
                           digits[d] < 9 && count < 10 ? 10 : count, columns, digits[d]);
     }
 }
@@ -265,12 +265,12 @@ START_TEST(a_second_mistake_takes_nothing_from_the_first)
 {
     const Settings settings = bar_settings(5, 100);
     int hidden = 0;
-    while (strcmp(bar_mistake_words[hidden], "gradient_without_h") != 0)
+    while (strcmp(mpm_mistake_words[hidden], "gradient_without_h") != 0)
         hidden++;
-    for (int m = 1; bar_mistake_words[m]; m++) {
+    for (int m = 1; mpm_mistake_words[m]; m++) {
         double alone[32], beside[32], before[32];
         Settings wrong = settings;
-        if (m == hidden || !settings_change(&wrong, "mpm.mistake", bar_mistake_words[m], NULL))
+        if (m == hidden || !settings_change(&wrong, "mpm.mistake", mpm_mistake_words[m], NULL))
             continue;
         settings_edit_transfer(&wrong)->mistake_beside = hidden;
         if (!settings_check(&wrong, NULL)) /* one and the same thing */
@@ -280,9 +280,9 @@ START_TEST(a_second_mistake_takes_nothing_from_the_first)
         run_both(&settings, hidden, m, before);
         for (int i = 0; i < 4; i++) {
             ck_assert_msg(fabs(beside[i] - alone[i]) <= 1e-12 * fabs(alone[i]), "%s: %g, not %g",
-                          bar_mistake_words[m], beside[i], alone[i]);
+                          mpm_mistake_words[m], beside[i], alone[i]);
             ck_assert_msg(fabs(before[i] - alone[i]) <= 1e-12 * fabs(alone[i]), "before %s: %g, not %g",
-                          bar_mistake_words[m], before[i], alone[i]);
+                          mpm_mistake_words[m], before[i], alone[i]);
         }
     }
 }
@@ -325,7 +325,7 @@ START_TEST(two_mistakes_are_named)
     set(&right, "bar.density", "2");
     long two = 0, tried = 0;
     unsigned long count = 0;
-    while (bar_mistake_words[count + 1])
+    while (mpm_mistake_words[count + 1])
         count++;
     for (long k = 0; k < wanted; k++) {
         const unsigned long one = 1 + draw(&state, count), other = 1 + draw(&state, count);
@@ -335,7 +335,7 @@ START_TEST(two_mistakes_are_named)
         if (!settings_check(&wrong, NULL))
             continue;
         tried++;
-        two += judge_two(&right, &wrong, bar_mistake_words, settings_transfer(&wrong)->mistake_beside,
+        two += judge_two(&right, &wrong, mpm_mistake_words, settings_transfer(&wrong)->mistake_beside,
                          settings_transfer(&wrong)->mistake, columns, false);
     }
     ck_assert_int_gt(two, tried / 2);
@@ -399,15 +399,15 @@ END_TEST
 START_TEST(a_mistake_of_cells_is_named)
 {
     static const char *const algorithms[] = {"usf", "usl", "musl", NULL};
-    for (int m = 0; bar_mistake_words[m]; m++) {
+    for (int m = 0; mpm_mistake_words[m]; m++) {
         Settings right = small_beam("0.02", "0.005");
         set(&right, "scenario.method", "mpm");
         set(&right, "mesh.cell_size", "0.0025");
         set(&right, "mesh.particles_per_cell", "3");
         for (int i = 0; algorithms[i]; i++) {
             set(&right, "mpm.algorithm", algorithms[i]);
-            if (is_wide() || m % 3 == i || strstr(bar_mistake_words[m], "keep_grid_"))
-                judge(&right, "mpm.mistake", m > 0 ? bar_mistake_words[m] : NULL, 30, columns_of_beam, 15);
+            if (is_wide() || m % 3 == i || strstr(mpm_mistake_words[m], "keep_grid_"))
+                judge(&right, "mpm.mistake", m > 0 ? mpm_mistake_words[m] : NULL, 30, columns_of_beam, 15);
         }
     }
 }

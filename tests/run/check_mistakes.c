@@ -141,7 +141,7 @@ static Settings wrong_bar(int mistake)
     set(&settings, "mesh.cell_size", "0.5");
     set(&settings, "mesh.particles_per_cell", "3");
     set(&settings, "load.traction", "0.01");
-    set(&settings, "mpm.mistake", bar_mistake_words[mistake]);
+    set(&settings, "mpm.mistake", mpm_mistake_words[mistake]);
     /* by the first scheme that it is defined for */
     for (int scheme = 0; !settings_check(&settings, NULL); scheme++) {
         static const char *const algorithms[] = {"usf", "musl"}, *const shapes[] = {"hat", "gimp"};
@@ -188,7 +188,7 @@ enum { OF_BAR, OF_BEAM, OF_ROD, MOST = 64 };
 /* The mistakes of all three, one after the other: whose it is, and which. */
 static int whose(int i, int *mistake)
 {
-    const int bars = count_words(bar_mistake_words), beams = count_words(beam_mistake_words);
+    const int bars = count_words(mpm_mistake_words), beams = count_words(beam_mistake_words);
     int rods[MOST];
     const int of_line = rod_mistakes(rods), rod = i - bars - beams;
     const bool of_bar = i < bars, of_beam = !of_bar && rod < 0;
@@ -200,13 +200,13 @@ static int whose(int i, int *mistake)
 static const char *id_of(int i)
 {
     int mistake;
-    return (whose(i, &mistake) == OF_BAR ? bar_mistake_words : beam_mistake_words)[mistake];
+    return (whose(i, &mistake) == OF_BAR ? mpm_mistake_words : beam_mistake_words)[mistake];
 }
 
 static bool is_of_start(int i)
 {
     int mistake;
-    return (whose(i, &mistake) == OF_BAR ? bar_mistake_is_of_start : beam_mistake_is_of_start)(mistake);
+    return (whose(i, &mistake) == OF_BAR ? mpm_mistake_is_of_start : beam_mistake_is_of_start)(mistake);
 }
 
 static Settings wrong(int i)
@@ -338,7 +338,7 @@ START_TEST(what_they_are_not_defined_for_is_refused_by_name)
         {"plain_kinetic", "mpm.transfer", "flip", "mpm.transfer = apic"},
         {"force_sign", "mpm.mass_blend", "0.5", "mpm.mass_blend = 1"},
     };
-    const char *const id = bar_mistake_words[_i + 1];
+    const char *const id = mpm_mistake_words[_i + 1];
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         Settings settings = wrong_bar(_i + 1);
         Status status = {0};
@@ -605,7 +605,7 @@ END_TEST
 void add_cases(Suite *suite)
 {
     TCase *digits = tcase_create("digits"), *bar = tcase_create("each");
-    const int n = count_words(bar_mistake_words), m = count_words(beam_mistake_words);
+    const int n = count_words(mpm_mistake_words), m = count_words(beam_mistake_words);
     int rods[MOST];
     const int of_line = rod_mistakes(rods), all = n + m + of_line;
     ck_assert_int_eq(of_line, 17);

@@ -157,7 +157,7 @@ END_TEST
 
 START_TEST(sums_of_a_wrong_bar_add_up)
 {
-    const char *mistake = bar_mistake_words[_i + 1];
+    const char *mistake = mpm_mistake_words[_i + 1];
     const char *keys[] = {"mesh.particles_per_cell",
                           "3",
                           "bar.length",

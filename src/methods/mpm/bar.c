@@ -42,7 +42,6 @@ void bar_derive(Mpm *mpm)
     bool left = def->supports == BAR_FIXED_FREE || def->supports == BAR_FIXED_FIXED;
     bool right = def->supports == BAR_FREE_FIXED || def->supports == BAR_FIXED_FIXED;
     const int P = def->particles_per_cell, places = (int)round(def->length / def->cell_size);
-    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     /* a quadratic B-spline about a node is the hat's mean over a cell */
     const bool mean = def->shape == MPM_UNIFORM2, uniform = mean || def->shape == MPM_UNIFORM3;
     mpm->shape = mean ? MPM_GIMP : uniform ? MPM_BSPLINE3 : def->shape;
@@ -57,8 +56,8 @@ void bar_derive(Mpm *mpm)
     mpm->n_nodes = mpm->gx = mpm->cells + mpm->support - 1 + (mpm->shape == MPM_GIMP);
     mpm->fixed_left = left ? 1 + ghosts : 0;
     mpm->fixed_right = right ? 1 + ghosts : 0;
-    mpm->stays = mistake && (mistake->does & WRONG_STAYS_IN_CELL);
-    mpm->half = mean ? 0.5 : 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
+    mpm->stays = mpm_does(mpm, WRONG_STAYS_IN_CELL);
+    mpm->half = mean ? 0.5 : mpm_box_half(mpm);
     mpm->edge = mpm->shape == MPM_GIMP ? 1.0 - mpm->half : 0.0;
     mpm->low[0] = mpm->edge;
     mpm->high[0] = mpm->cells + mpm->edge;
@@ -75,7 +74,7 @@ void bar_derive(Mpm *mpm)
         mpm->modulus[1] = def->joint_modulus;
         lightest = fmin(lightest, def->joint_density);
     }
-    if (mistake && (mistake->does & WRONG_MASS_OF_CELL))
+    if (mpm_does(mpm, WRONG_MASS_OF_CELL))
         mpm->mass[0] = def->density * mpm->dx;
     mpm->floor = 1e-12 * lightest * mpm->dx;
 
@@ -113,8 +112,7 @@ enum { PARTICLES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a
 bool bar_begin(Mpm *mpm, Status *status)
 {
     const MpmDef *def = &mpm->def;
-    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
-    const bool at_centres = mistake && (mistake->does & WRONG_STARTS_AT_CENTRES);
+    const bool at_centres = mpm_does(mpm, WRONG_STARTS_AT_CENTRES);
     const int P = def->particles_per_cell;
     const int chunk = chunk_of(mpm->n_particles);
     for (int k = 0; k < mpm->n_chunks; k++) {

@@ -5,7 +5,7 @@
  * first step. The grid begins BODIES_PADDING cells before the box and ends as many behind it. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
-#include "methods/mpm/engine.h"
+#include "methods/mpm/mistakes.h"
 
 const char *const bodies_walls[WALLS] = {"left", "right", "bottom", "top"};
 
@@ -87,7 +87,7 @@ void bodies_derive(Mpm *mpm)
     mpm->volume_start = mpm->spacing * mpm->spacing;
     mpm->mass[0] = def->density * mpm->volume_start;
     mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
-    mpm->half = 0.5 / def->particles_per_cell;
+    mpm->half = mpm_box_half(mpm);
     mpm->box[0] = (int)lround(def->length / mpm->dx);
     mpm->box[1] = (int)lround(def->height / mpm->dx);
     mpm->n_fields = def->fields == FIELDS_EACH ? def->n_bodies : 1;
@@ -102,10 +102,6 @@ void bodies_derive(Mpm *mpm)
         mpm->low[axis] = BODIES_PADDING - 2.5 + mpm->edge;
         mpm->high[axis] = BODIES_PADDING + mpm->box[axis] + 2.5 + mpm->edge;
     }
-    if (bodies_does(mpm, BODIES_NO_ROTATION) || bodies_does(mpm, BODIES_SPIN_SIGN))
-        mpm->turn = bodies_does(mpm, BODIES_SPIN_SIGN) ? -mpm->turn : 0;
-    mpm->slide = mpm->shear * (bodies_does(mpm, BODIES_TENSOR_SHEAR) ? 0.5 : 1);
-    mpm->keeps_volume = bodies_does(mpm, BODIES_VOLUME_KEPT);
     Counted counted = {.height = BODIES_CHUNK_CELLS * mpm->dx};
     for (int k = 0; k < def->n_bodies; k++) {
         counted.row = NAN;

@@ -15,7 +15,7 @@
  * Bardenhagen, Brackbill, Sulsky 2000; the gap after Nairn 2013. Contact keeps momentum and the grid's
  * angular momentum exactly. Energy that friction takes: impulse times the mean of the relative tangential
  * velocities before and after. */
-#include "methods/mpm/engine.h"
+#include "methods/mpm/mistakes.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -80,7 +80,7 @@ Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2]
     double *const n = meeting.normal, v[2], length = 0.0;
     if (!(m[0] > mpm->floor && m[1] > mpm->floor))
         return meeting;
-    const double other = bodies_does(mpm, BODIES_NORMAL_OF_ONE) ? 0.0 : 1.0;
+    const double other = mpm_does(mpm, WRONG_NORMAL_OF_ONE) ? 0.0 : 1.0;
     for (int axis = 0; axis < 2; axis++) {
         n[axis] = mpm->normal[axis][at[0]] - other * mpm->normal[axis][at[1]];
         length += n[axis] * n[axis];
@@ -151,7 +151,7 @@ static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
 
 void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 {
-    const bool idle = op == OP_FIX && bodies_does(mpm, BODIES_NO_FIRST_FIX);
+    const bool idle = op == OP_FIX && mpm_does(mpm, WRONG_NO_FIRST_FIX);
     for (int i = first; op == OP_FIX && i < end; i++)
         mpm->lost[i] = 0.0;
     for (int field = 0; field < mpm->n_fields; field++)
@@ -169,7 +169,7 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
         }
     for (int i = first; mpm->n_fields > 1 && !idle && i < end; i++)
         touch(mpm, i);
-    const bool late = op == OP_FIX && bodies_does(mpm, BODIES_START_AFTER_CONTACT);
+    const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
     for (int field = 0; late && field < mpm->n_fields; field++)
         for (int axis = 0; axis < 2; axis++)
             memcpy(mpm->start[axis] + field * mpm->grid_nodes + first,

@@ -137,7 +137,7 @@ static bool check_bar(const MpmDef *def, Status *status)
     if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
         return status_refuse(status, "mesh.particles_per_cell: more than %d particles are not possible",
                              PARTICLES_MAX);
-    return check_joint(def, status) && bar_mistake_check(def, status) &&
+    return check_joint(def, status) && mpm_check_mistakes(def, status) &&
            axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
                              status);
 }
@@ -161,7 +161,7 @@ static bool check_beam(const MpmDef *def, Status *status)
 {
     if (def->padding < 1 || def->padding > PADDING_MAX)
         return status_refuse(status, "mesh.padding: %d is out of range (1 to %d)", def->padding, PADDING_MAX);
-    if (!check_method(def, status) || !bar_mistake_check(def, status) ||
+    if (!check_method(def, status) || !mpm_check_mistakes(def, status) ||
         !whole_cells_of_beam(def->length, def->cell_size, false, "length", status) ||
         !whole_cells_of_beam(def->height, def->cell_size, true, "height", status) ||
         (def->leaves_channel && !check_channel(def, status)) || !check_step(def, status))
@@ -281,7 +281,7 @@ static bool check_bodies(const MpmDef *def, Status *status)
         !(cells[0] * cells[1] * P * P <= 4.0 * PARTICLES_MAX))
         return status_refuse(status, "mesh.cell_size: %g makes more than %d nodes of all fields",
                              def->cell_size, NODES_MAX);
-    if (!bodies_mistake_check(def, status))
+    if (!mpm_check_mistakes(def, status))
         return false;
     for (int k = 0; k < def->n_bodies; k++)
         if (!check_body(def, &def->bodies[k], status))

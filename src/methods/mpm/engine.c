@@ -6,8 +6,7 @@
 
 size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
 {
-    const BarMistake *mistake = mpm_mistake_if(mpm, head->mistake);
-    if (mistake && (mistake->does & (WRONG_KEEPS_GRID | WRONG_VOLUME_LATE)))
+    if (mpm_wrong_with(mpm, head->mistake) & (DOES(KEEPS_GRID) | DOES(VOLUME_LATE)))
         return mpm->bytes_kept;
     return head->transfer == MPM_APIC ? mpm->bytes_apic : mpm->bytes_flip;
 }
@@ -51,9 +50,8 @@ double mpm_reaction(const Mpm *mpm, int axis, double momentum)
 
 bool mpm_holds_momentum(const Mpm *mpm, MpmOp stage, int node)
 {
-    const BarHolds holds = mpm_holds(mpm);
-    return mpm_held(mpm, mpm->sim.step, node) && holds != HOLDS_NEVER &&
-           (holds == HOLDS_AFTER_STRAIN ? stage == OP_STRAIN : stage == OP_FIX);
+    return mpm_held(mpm, mpm->sim.step, node) && !mpm_does(mpm, WRONG_HOLDS_NEVER) &&
+           stage == (mpm_does(mpm, WRONG_HOLDS_LATE) ? OP_STRAIN : OP_FIX);
 }
 
 bool mpm_has_done(const Mpm *mpm, MpmOp op)

@@ -151,9 +151,9 @@ typedef struct Mpm {
 
     /* model: constant */
     MpmDef def;
-    bool bodies;             /* it has bodies, else it is a beam or a bar */
-    bool stays;              /* particles keep the nodes of their first cell (mistakes.h) */
-    struct BarMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
+    bool bodies;    /* it has bodies, else it is a beam or a bar */
+    bool stays;     /* particles keep the nodes of their first cell (mistakes.h) */
+    uint64_t wrong; /* what the code does that is wrong: bits WRONG_... (mistakes.h) */
     int dim;
     MpmShape shape;
     int support;                /* nodes that a particle touches along each axis */
@@ -173,9 +173,8 @@ typedef struct Mpm {
     double xmin, ymin;            /* of the plane, the grid's first node at t = 0 */
     int nxp, nyp, probe[4];       /* of a beam: columns and rows of particles, those beside the probe */
     /* of the plane: stress = D strain, G, G of the shear step (slide), Lame's lambda; of the turn of the
-     * stress with its particle (eq. 6) the half angle over dt (dv/dx - du/dy), 0: none; and a mistake */
+     * stress with its particle (eq. 6) the half angle over dt (dv/dx - du/dy), 0: none */
     double D11, D12, shear, slide, lambda, turn;
-    bool keeps_volume;
     /* of bodies: their particles are from first[body] on; cells of the box. Each field of velocities (one, or
      * one for each body) has nodes of its own, one grid after the other: those of field f begin at f
      * grid_nodes. */
@@ -530,25 +529,6 @@ static inline bool bodies_are_neo(const Mpm *mpm)
 {
     return mpm->bodies && mpm->def.law == LAW_NEO_HOOKEAN;
 }
-
-/* Whether the code makes a mistake of bodies_mistakes.c. */
-enum {
-    BODIES_RIGHT,
-    BODIES_SPIN_SIGN,
-    BODIES_NO_ROTATION,
-    BODIES_TENSOR_SHEAR,
-    BODIES_VOLUME_KEPT,
-    BODIES_NORMAL_OF_ONE,
-    BODIES_START_AFTER_CONTACT,
-    BODIES_NO_FIRST_FIX,
-    BODIES_MISTAKES
-};
-static inline bool bodies_does(const Mpm *mpm, int mistake)
-{
-    return mpm->def.mistake == mistake || mpm->def.mistake_beside == mistake;
-}
-bool bodies_mistake_check(const MpmDef *, Status *);
-void bodies_write_wrongly(const Mpm *, MpmOp, Stage *);
 
 /* The velocity of a node by which a particle is strained: its own where the node is light. */
 static inline double bodies_velocity_for(const Mpm *mpm, int axis, int node, int p)

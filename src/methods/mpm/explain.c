@@ -483,9 +483,9 @@ static void update_node(const Subject *subject)
 /* Eq. 8, or what a code has in its place: the density before is solved for. */
 static void write_density(const Subject *subject, double density, double stretch)
 {
-    const BarMistake *mistake = mpm_mistake(subject->mpm);
-    const bool other = mistake && mistake->thinned;
-    const double ratio = other ? 1 / mistake->thinned(1, stretch) : 1 / stretch;
+    const bool other =
+        mpm_does(subject->mpm, WRONG_VOLUME_STAYS) || mpm_does(subject->mpm, WRONG_VOLUME_DIVIDED);
+    const double ratio = 1 / mpm_volume_behind(subject->mpm, 1, stretch);
     CalculationSum thin = {.label = other ? "ρ = ρ (1 + Δε) = " : "ρ = ρ/(1 + Δε) = ", .result = density};
     if (other && ratio == 1) {
         calculation_value(subject->to, "ρ stays ", density);

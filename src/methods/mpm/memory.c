@@ -116,12 +116,12 @@ void mpm_destroy(Simulation *sim)
     Mpm *mpm = mpm_of(sim);
     pool_destroy(mpm->pool);
     free(mpm->memory);
-    free(mpm->both);
     free(mpm);
 }
 
 void mpm_take_schedule(Mpm *mpm)
 {
+    mpm->wrong = mpm_wrong_with(mpm, mpm->head->mistake);
     mpm_list_stages(mpm);
     mpm_list_fields(mpm);
     mpm_list_exchanges(mpm);
@@ -151,8 +151,8 @@ static void load(Simulation *sim, const void *bytes)
         memset(mpm->block + size, 0, mpm->bytes_kept - size);
     if (sim->stage == 0)
         mpm_find_all(mpm);
-    mpm_find_held(mpm, sim->step);
     mpm_take_schedule(mpm);
+    mpm_find_held(mpm, sim->step);
 }
 
 /* Small motion of particles that stay in their places: their state as a vector, of which |x|^2 is twice the
@@ -250,7 +250,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
         }
     if (!found)
         return status_refuse(status, "%s: cannot be changed in mid-run", key);
-    if (!mpm_check(&def, status) || !mpm_change_mistake(mpm, def.mistake, def.conceals_mistake, status))
+    if (!mpm_check(&def, status) || !mpm_change_mistake(mpm, def.mistake, status))
         return false;
     const size_t bytes = (size_t)mpm->n_particles * sizeof(double);
     if (def.transfer != mpm->head->transfer && mpm->dim == 1)
@@ -317,11 +317,15 @@ void mpm_derive(Mpm *mpm, const MpmDef *given)
     mpm->shape = def->shape;
     mpm->support = shape_support(def->shape);
     mpm->dt = mpm_time_step(def);
-    mpm->shear = mpm->slide = E / (2 * (1 + nu));
+    mpm->wrong = mpm_wrong_with(mpm, def->mistake);
+    mpm->shear = E / (2 * (1 + nu));
+    mpm->slide = mpm_does(mpm, WRONG_TENSOR_SHEAR) ? 0.5 * mpm->shear : mpm->shear;
     mpm->lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
     mpm->D11 = plane_stress ? E / (1 - nu * nu) : mpm->lambda + 2 * mpm->shear;
     mpm->D12 = plane_stress ? nu * mpm->D11 : mpm->lambda;
-    mpm->turn = def->rotation == ROTATION_JAUMANN ? 0.25 : 0;
+    mpm->turn = def->rotation != ROTATION_JAUMANN || mpm_does(mpm, WRONG_NO_ROTATION) ? 0
+                : mpm_does(mpm, WRONG_SPIN_SIGN)                                      ? -0.25
+                                                                                      : 0.25;
     problems_by_mpm[def->problem].derive(mpm);
 }
 
@@ -337,10 +341,8 @@ Simulation *mpm_create(const MpmDef *def, Status *status)
     Simulation *sim = &mpm->sim;
     sim->method = &problems_by_mpm[def->problem].method;
     sim->has = problems_by_mpm[def->problem].has;
-    bool sound = mpm_take_both(mpm, def, status);
-    if (sound)
-        mpm_derive(mpm, def);
-    sound = sound && build(mpm, status);
+    mpm_derive(mpm, def);
+    bool sound = build(mpm, status);
     if (sound)
         take_live(mpm->head, &mpm->def);
     sound = sound && problems_by_mpm[def->problem].begin(mpm, status);

@@ -1,201 +1,151 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mistakes of a bar's code: their rows, and the numbers that such a code takes (mistakes.h). */
+/* The mistakes of codes: their rows, and the numbers that such a code takes (mistakes.h). */
 #include "methods/mpm/mistakes.h"
 #include "base/assertion.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* --- the rows --------------------------------------------------------------------------------------- */
 
-/* Particles in a cell. */
-static int in_a_cell(const Mpm *mpm)
-{
-    const int across = mpm->def.particles_per_cell;
-    return mpm->dim == 1 ? mpm->def.particles_per_cell : across * across;
-}
+typedef struct Mistake {
+    const char *id, *sentence;
+    MpmOp stage;
+    /* the lines of the stage as this code has it, what differs between marks (STAGE_WRONG in method.h) */
+    const char *equation;
+    uint64_t does; /* WRONG_... */
+    unsigned only; /* ONLY_... */
+    MpmOp also;    /* another stage that has it too, with its line; equation NULL: none */
+    const char *also_equation;
+} Mistake;
 
-static double volume_of_cell(const Mpm *mpm, int particle, double volume)
-{
-    (void)particle;
-    return volume * in_a_cell(mpm);
-}
-
-static double mass_for_volume(const Mpm *mpm, int particle, double volume)
-{
-    (void)volume;
-    return mpm_mass(mpm, particle);
-}
-
-/* All particles had the same share of a cell. */
-static double volume_at_start(const Mpm *mpm, int particle, double volume)
-{
-    (void)particle, (void)volume;
-    return mpm->dx * (mpm->dim == 1 ? 1.0 : mpm->dx) / in_a_cell(mpm);
-}
-
-static double no_volume(const Mpm *mpm, int particle, double volume)
-{
-    (void)mpm, (void)particle, (void)volume;
-    return 1.0;
-}
-
-static double not_thinned(double volume, double stretch)
-{
-    (void)stretch;
-    return volume;
-}
-
-static double thickened(double volume, double stretch)
-{
-    return volume / stretch;
-}
-
-/* Sum N v d in units of dx^2/s, d = x_i - x. */
-static double first_moment(const Mpm *mpm, const MpmWeights *w, int particle)
-{
-    double v[SHAPE_SUPPORT_MAX], sum = 0.0;
-    const int base = mpm->base[particle];
-    mpm_line_velocities(mpm->shape, mpm->carry[0], mpm->inverse, base, v);
-    for (int a = 0; a < mpm->support; a++)
-        sum += w->n[0][a] * v[a] *
-               (shape_node_offset(mpm->shape, mpm_half(mpm, particle), mpm->cells, base, a) -
-                mpm->s[0][particle]);
-    return sum;
-}
-
-/* As if D were dx^2/4, which is that of quadratic B-splines. */
-static double affine_of_bspline(const Mpm *mpm, const MpmWeights *w, int particle)
-{
-    return 4.0 * first_moment(mpm, w, particle) / mpm->dx;
-}
-
-static double affine_undivided(const Mpm *mpm, const MpmWeights *w, int particle)
-{
-    return first_moment(mpm, w, particle) * mpm->dx;
-}
-
-static const BarMistake mistakes[] = {
 #define MISTAKE(name, op, words, line, ...)                                                                  \
-    {.id = name, .sentence = words, .stage = op, .equation = line, __VA_ARGS__},
+    {.id = name, .sentence = words, .stage = op, .equation = line, .does = __VA_ARGS__},
+static const Mistake mistakes[] = {
+    {.id = "none"},
 #include "methods/mpm/mistake_rows.inc"
-#undef MISTAKE
 };
-enum { MISTAKES = sizeof mistakes / sizeof *mistakes };
-
-const char *const bar_mistake_words[] = {
-    "none",
-#define MISTAKE(name, ...) name,
-#include "methods/mpm/mistake_rows.inc"
+static const Mistake of_bodies[] = {
+    {.id = "none"},
+#include "methods/mpm/bodies_mistake_rows.inc"
+};
 #undef MISTAKE
+
+#define MISTAKE(name, ...) name,
+const char *const mpm_mistake_words[] = {
+    "none",
+#include "methods/mpm/mistake_rows.inc"
     NULL,
 };
+const char *const mpm_body_mistake_words[] = {
+    "none",
+#include "methods/mpm/bodies_mistake_rows.inc"
+    NULL,
+};
+#undef MISTAKE
 
-static const BarMistake *mistake_of(int mistake)
+static const Mistake *mistake_of(MpmProblem problem, int mistake)
 {
-    return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
+    ASSERT_INDEX(mistake, problem == MPM_BODIES ? (int)(sizeof of_bodies / sizeof *of_bodies)
+                                                : (int)(sizeof mistakes / sizeof *mistakes));
+    return problem == MPM_BODIES ? &of_bodies[mistake] : &mistakes[mistake];
 }
 
-/* One of two that differ from what is right, 0; false: both do, by other values. */
-static bool join(int one, int other, int *out)
+bool mpm_mistake_is_of_start(int mistake)
 {
-    *out = one ? one : other;
-    return !one || !other || one == other;
+    return mistakes[mistake].does & DOES(OF_START);
 }
 
-/* What a code does that makes two of them. False: they are one and the same thing done otherwise. */
-static bool bar_mistakes_join(int one, int other, BarMistake *out)
+bool mpm_mistake_starts_as_held(int mistake)
 {
-    const BarMistake *a = mistake_of(one), *b = mistake_of(other);
-    int holds, moves;
-    if (!a || !b || a == b || (a->thinned && b->thinned) || (a->volume && b->volume) ||
-        (a->box > 0 && b->box > 0) || (a->affine && b->affine) ||
-        (fmax(a->slope_of_strain, a->slope_of_force) > 0 &&
-         fmax(b->slope_of_strain, b->slope_of_force) > 0) ||
-        !join((int)a->holds, (int)b->holds, &holds) || !join((int)a->moves, (int)b->moves, &moves))
-        return false;
-    *out = *a;
-    if (!out->also_equation && b->stage != a->stage) {
-        out->also = b->stage;
-        out->also_equation = b->equation;
+    return mistakes[mistake].does & DOES(STARTS_AS_HELD);
+}
+
+const char *mpm_mistake_sentence(int mistake)
+{
+    return mistakes[mistake].sentence;
+}
+
+const char *mpm_body_mistake_sentence(int mistake)
+{
+    return of_bodies[mistake].sentence;
+}
+
+/* Of each line a code does one thing. */
+static const uint64_t alternatives[] = {
+    DOES(BOX_WHOLE) | DOES(BOX_QUARTER),
+    DOES(HOLDS_LATE) | DOES(HOLDS_NEVER),
+    DOES(SLOPE_UNSCALED) | DOES(SLOPE_OF_STRAIN) | DOES(SLOPE_OF_FORCE),
+    DOES(VOLUME_STAYS) | DOES(VOLUME_DIVIDED),
+    DOES(VOLUME_OF_CELL) | DOES(VOLUME_IS_MASS) | DOES(VOLUME_OF_START) | DOES(NO_VOLUME),
+    DOES(MOVES_BY_ITSELF) | DOES(MOVES_WITH_OLD) | DOES(MOVES_WITH_MEAN) | DOES(MOVES_WITH_MAPPED),
+    DOES(AFFINE_OF_BSPLINE) | DOES(AFFINE_UNDIVIDED),
+    DOES(SPIN_SIGN) | DOES(NO_ROTATION),
+};
+
+/* Whether a code can make both mistakes; else they are one and the same thing done otherwise. */
+static bool can_be_both(const Mistake *one, const Mistake *other)
+{
+    bool can = one->does != 0 && one != other;
+    for (size_t k = 0; k < sizeof alternatives / sizeof *alternatives; k++) {
+        const uint64_t first = one->does & alternatives[k], second = other->does & alternatives[k];
+        can = can && (first == 0 || second == 0 || first == second);
     }
-    out->does = a->does | b->does;
-    out->only = a->only | b->only;
-    out->holds = (BarHolds)holds;
-    out->thinned = a->thinned ? a->thinned : b->thinned;
-    out->volume = a->volume ? a->volume : b->volume;
-    out->first_kick = fmax(a->first_kick, b->first_kick);
-    out->moves = (BarMoves)moves;
-    out->slope_of_strain = fmax(a->slope_of_strain, b->slope_of_strain);
-    out->slope_of_force = fmax(a->slope_of_force, b->slope_of_force);
-    out->box = fmax(a->box, b->box);
-    out->affine = a->affine ? a->affine : b->affine;
+    return can;
+}
+
+static bool touches(const MpmDef *def)
+{
+    bool any = def->n_bodies > 1;
+    for (int wall = 0; wall < WALLS; wall++)
+        any = any || def->walls[wall] != WALL_OPEN;
+    return any;
+}
+
+bool mpm_check_mistakes(const MpmDef *def, Status *status)
+{
+    enum { ALL = -1 };
+    const bool bodies = def->problem == MPM_BODIES, bar = def->problem == MPM_BAR;
+    const char *const key = bodies ? "mpm.body_mistake" : "mpm.mistake";
+    const Mistake *row = mistake_of(def->problem, def->mistake),
+                  *beside = mistake_of(def->problem, def->mistake_beside);
+    const struct {
+        int only;
+        bool fits;
+        const char *other;
+    } conditions[] = {
+        {ONLY_LINE | ONLY_APIC, bar, "bars"},
+        {ONLY_USF, def->algorithm == MPM_USF, "mpm.algorithm = usf"},
+        {ONLY_MUSL, def->algorithm == MPM_MUSL, "mpm.algorithm = musl"},
+        {ONLY_HAT, def->shape == MPM_HAT, "mpm.shape = hat"},
+        {ONLY_GIMP, def->shape == MPM_GIMP, "mpm.shape = gimp"},
+        {ONLY_HYPOELASTIC, def->law == LAW_HYPOELASTIC, "material.law = hypoelastic"},
+        {ONLY_TURNING, def->rotation == ROTATION_JAUMANN, "mpm.rotation = jaumann"},
+        {ONLY_CONTACT, def->fields == FIELDS_EACH && def->n_bodies > 1,
+         "contact.fields = each and two bodies"},
+        {ONLY_TOUCHING, touches(def), "walls or two bodies"},
+        {ONLY_FLIP, def->transfer == MPM_FLIP, "mpm.transfer = flip"},
+        {ONLY_APIC, def->transfer == MPM_APIC, "mpm.transfer = apic"},
+        {ALL, !bar || def->transfer != MPM_FMPM, "mpm.transfer = flip or apic"},
+        {ALL, !((row->does | beside->does) & DOES(BOX_WHOLE)) || def->particles_per_cell > 1,
+         "mesh.particles_per_cell of 2 or more"},
+        {ALL, !bar || def->mass_blend == 1.0, "mpm.mass_blend = 1"},
+        {ALL, !bar || def->joint == 0.0, "bar2.joint = 0"},
+        {ALL, !def->forces, "the forces of [load]"},
+    };
+    if (def->mistake_beside != 0 && !can_be_both(row, beside))
+        return status_refuse(status, "%s: these two cannot be combined", key);
+    for (size_t k = 0; def->mistake != 0 && k < sizeof conditions / sizeof *conditions; k++)
+        if ((conditions[k].only == ALL || ((row->only | beside->only) & (unsigned)conditions[k].only)) &&
+            !conditions[k].fits)
+            return status_refuse(status, "%s: %s is defined for %s only", key,
+                                 def->conceals_mistake ? "?" : row->id, conditions[k].other);
     return true;
 }
 
-const BarMistake *mpm_mistake_if(const Mpm *mpm, int mistake)
+uint64_t mpm_wrong_with(const Mpm *mpm, int mistake)
 {
-    return mpm->both ? mpm->both : mpm->bodies ? NULL : mistake_of(mistake);
-}
-
-const BarMistake *mpm_mistake(const Mpm *mpm)
-{
-    return mpm->head ? mpm_mistake_if(mpm, mpm->head->mistake) : NULL; /* a lattice alone has no state */
-}
-
-static bool does(const BarMistake *mistake, unsigned wrong)
-{
-    return mistake && (mistake->does & wrong) != 0;
-}
-
-bool mpm_does(const Mpm *mpm, unsigned wrong)
-{
-    return does(mpm_mistake(mpm), wrong);
-}
-
-bool bar_mistake_is_of_start(int mistake)
-{
-    return does(mistake_of(mistake), WRONG_OF_START);
-}
-
-bool bar_mistake_starts_as_held(int mistake)
-{
-    return does(mistake_of(mistake), WRONG_STARTS_AS_HELD);
-}
-
-const char *bar_mistake_sentence(int mistake)
-{
-    const BarMistake *row = mistake_of(mistake);
-    return row ? row->sentence : NULL;
-}
-
-bool bar_mistake_check(const MpmDef *def, Status *status)
-{
-    const bool in_plane = def->problem != MPM_BAR;
-    BarMistake both;
-    if (def->mistake_beside != 0 && !bar_mistakes_join(def->mistake, def->mistake_beside, &both))
-        return status_refuse(status, "mpm.mistake: these two cannot be combined");
-    if (def->mistake == 0)
-        return true;
-    const BarMistake *row = def->mistake_beside != 0 ? &both : mistake_of(def->mistake);
-    if (!row)
-        return status_refuse(status, "mpm.mistake: %d is not a choice (0 to %d)", def->mistake, MISTAKES);
-    const unsigned only = row->only;
-    const char *other = (only & (ONLY_LINE | ONLY_APIC)) && in_plane       ? "bars"
-                        : (only & ONLY_USF) && def->algorithm != MPM_USF   ? "mpm.algorithm = usf"
-                        : (only & ONLY_MUSL) && def->algorithm != MPM_MUSL ? "mpm.algorithm = musl"
-                        : (only & ONLY_HAT) && def->shape != MPM_HAT       ? "mpm.shape = hat"
-                        : (only & ONLY_GIMP) && def->shape != MPM_GIMP     ? "mpm.shape = gimp"
-                        : (only & ONLY_FLIP) && def->transfer != MPM_FLIP  ? "mpm.transfer = flip"
-                        : (only & ONLY_APIC) && def->transfer != MPM_APIC  ? "mpm.transfer = apic"
-                        : def->transfer == MPM_FMPM                        ? "mpm.transfer = flip or apic"
-                        : row->box > 1 && def->particles_per_cell < 2 ? "mesh.particles_per_cell of 2 or more"
-                        : !in_plane && def->mass_blend != 1.0         ? "mpm.mass_blend = 1"
-                        : def->joint > 0.0                            ? "bar2.joint = 0"
-                        : def->forces                                 ? "the forces of [load]"
-                                                                      : NULL;
-    return !other || status_refuse(status, "mpm.mistake: %s is defined for %s only",
-                                   def->conceals_mistake ? "?" : row->id, other);
+    return mistake_of(mpm->def.problem, mistake)->does |
+           mistake_of(mpm->def.problem, mpm->def.mistake_beside)->does;
 }
 
 /* --- the numbers that such a code takes ------------------------------------------------------------- */
@@ -207,26 +157,27 @@ double mpm_strain_span(const Mpm *mpm)
 
 double mpm_slope_scale(const Mpm *mpm, MpmOp op)
 {
-    const BarMistake *mistake = mpm_mistake(mpm);
-    const double wrong = !mistake          ? 0.0
-                         : op == OP_STRAIN ? mistake->slope_of_strain
-                                           : mistake->slope_of_force;
-    return wrong > 0.0 ? wrong : 1.0 / mpm->dx;
+    return mpm_does(mpm, WRONG_SLOPE_UNSCALED)                                             ? 1.0
+           : mpm_does(mpm, op == OP_STRAIN ? WRONG_SLOPE_OF_STRAIN : WRONG_SLOPE_OF_FORCE) ? 0.5
+                                                                                           : 1.0 / mpm->dx;
 }
 
 double mpm_force_volume(const Mpm *mpm, int particle)
 {
     ASSERT_INDEX(particle, mpm->n_particles);
-    const BarMistake *mistake = mpm_mistake(mpm);
+    const int P = mpm->def.particles_per_cell, in_a_cell = mpm->dim == 1 ? P : P * P;
     const double volume =
         mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->kept_volume[particle] : mpm->volume[particle];
-    return mistake && mistake->volume ? mistake->volume(mpm, particle, volume) : volume;
+    return mpm_does(mpm, WRONG_VOLUME_OF_CELL)   ? volume * in_a_cell
+           : mpm_does(mpm, WRONG_VOLUME_IS_MASS) ? mpm_mass(mpm, particle)
+           : mpm_does(mpm, WRONG_VOLUME_OF_START) /* all particles had the same share of a cell */
+               ? mpm->dx * (mpm->dim == 1 ? 1.0 : mpm->dx) / in_a_cell
+               : mpm_does(mpm, WRONG_NO_VOLUME) ? 1.0 : volume;
 }
 
 double mpm_load_share(const Mpm *mpm)
 {
-    const BarMistake *mistake = mpm_mistake(mpm);
-    return mistake && mistake->first_kick > 0.0 && mpm->sim.step == 0 ? mistake->first_kick : 1.0;
+    return mpm_does(mpm, WRONG_HALF_FIRST_KICK) && mpm->sim.step == 0 ? 0.5 : 1.0;
 }
 
 double mpm_force_share(const Mpm *mpm)
@@ -234,27 +185,14 @@ double mpm_force_share(const Mpm *mpm)
     return mpm_does(mpm, WRONG_PUSHES) ? mpm_load_share(mpm) : -mpm_load_share(mpm);
 }
 
-BarHolds mpm_holds(const Mpm *mpm)
-{
-    const BarMistake *mistake = mpm_mistake(mpm);
-    return mistake ? mistake->holds : HOLDS_BEFORE_STRAIN;
-}
-
-BarMoves mpm_moves_by(const Mpm *mpm)
-{
-    const BarMistake *mistake = mpm_mistake(mpm);
-    return mistake ? mistake->moves : MOVES_WITH_NODES;
-}
-
 double mpm_moving_velocity(const Mpm *mpm, int axis, int particle, int node)
 {
-    const BarMoves moves = mpm_moves_by(mpm);
     const double kick = mpm->kick[axis][node], carry = mpm->carry[axis][node];
-    return moves == MOVES_BY_ITSELF        ? mpm->v[axis][particle]
-           : moves == MOVES_WITH_OLD_NODES ? carry - kick
-           : moves == MOVES_WITH_MEAN      ? carry - 0.5 * kick
-           : moves == MOVES_WITH_MAPPED    ? mpm->velocity[axis][node]
-                                           : carry;
+    return mpm_does(mpm, WRONG_MOVES_BY_ITSELF)     ? mpm->v[axis][particle]
+           : mpm_does(mpm, WRONG_MOVES_WITH_OLD)    ? carry - kick
+           : mpm_does(mpm, WRONG_MOVES_WITH_MEAN)   ? carry - 0.5 * kick
+           : mpm_does(mpm, WRONG_MOVES_WITH_MAPPED) ? mpm->velocity[axis][node]
+                                                    : carry;
 }
 
 /* Eqs. 5 to 7: dt sym(sum v_i grad N_i), along a line dt sum N'_i v_i. */
@@ -329,7 +267,7 @@ double mpm_kick_at_new_place(const Mpm *mpm, int particle)
 
 void mpm_move_with_mapped(Mpm *mpm)
 {
-    for (int p = 0; mpm_moves_by(mpm) == MOVES_WITH_MAPPED && p < mpm->n_particles; p++) {
+    for (int p = 0; mpm_does(mpm, WRONG_MOVES_WITH_MAPPED) && p < mpm->n_particles; p++) {
         const MpmWeights w = mpm_weights_of(mpm, p);
         for (int axis = 0; axis < mpm->dim; axis++) {
             double sum = 0.0;
@@ -342,29 +280,23 @@ void mpm_move_with_mapped(Mpm *mpm)
     }
 }
 
-/* --- made and changed ------------------------------------------------------------------------------- */
+/* --- changed, and shown ------------------------------------------------------------------------------ */
 
-bool mpm_take_both(Mpm *mpm, const MpmDef *def, Status *status)
-{
-    const int beside = def->problem == MPM_BODIES ? 0 : def->mistake_beside;
-    mpm->both = beside ? malloc(sizeof *mpm->both) : NULL;
-    return !beside || (mpm->both && bar_mistakes_join(def->mistake, beside, mpm->both)) ||
-           status_fail(status, "not enough memory for two mistakes");
-}
-
-bool mpm_change_mistake(Mpm *mpm, int mistake, bool concealed, Status *status)
+bool mpm_change_mistake(Mpm *mpm, int mistake, Status *status)
 {
     const int before = mpm->head->mistake;
+    const bool concealed = mpm->def.conceals_mistake;
     if (mistake == before)
         return true;
-    if (bar_mistake_is_of_start(mistake) || bar_mistake_is_of_start(before))
+    if (mpm_mistake_is_of_start(mistake) || mpm_mistake_is_of_start(before))
         return status_refuse(
             status, "mpm.mistake: %s is made at the start and holds for the whole run",
-            concealed ? "?" : bar_mistake_words[bar_mistake_is_of_start(mistake) ? mistake : before]);
-    if (does(mistake_of(mistake), WRONG_KEEPS_GRID | WRONG_VOLUME_LATE) && !mpm_can_keep(mpm))
+            concealed ? "?" : mpm_mistake_words[mpm_mistake_is_of_start(mistake) ? mistake : before]);
+    if ((mistakes[mistake].does & (DOES(KEEPS_GRID) | DOES(VOLUME_LATE))) && !mpm_can_keep(mpm))
         return status_refuse(status, "mpm.mistake: %s cannot begin in mid-run here: set it at the start",
-                             concealed ? "?" : bar_mistake_words[mistake]);
+                             concealed ? "?" : mpm_mistake_words[mistake]);
     mpm->head->mistake = mistake;
+    mpm->wrong = mpm_wrong_with(mpm, mistake);
     if (!mpm_can_keep(mpm))
         return true;
     memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
@@ -377,13 +309,14 @@ bool mpm_change_mistake(Mpm *mpm, int mistake, bool concealed, Status *status)
 
 void mpm_write_wrongly(const Mpm *mpm, Stage *stage, MpmOp op)
 {
-    const BarMistake *mistake = mpm_mistake(mpm);
-    const bool also = mistake && mistake->also_equation && op == mistake->also;
-    if (!mistake || mpm->def.conceals_mistake || (op != mistake->stage && !also))
+    const Mistake *mistake = mistake_of(mpm->def.problem, mpm->head->mistake);
+    const bool also = mistake->also_equation && op == mistake->also;
+    if (mpm->head->mistake == 0 || mpm->def.conceals_mistake || (op != mistake->stage && !also))
         return;
     stage->sentence = mistake->sentence;
-    stage->source = mpm->dim == 2 ? "the right code's line" : mistake->id;
-    if (mpm->dim == 2) /* the wrong one is that of a bar */
-        return;
-    stage->equation = also ? mistake->also_equation : mistake->equation;
+    stage->source = mistake->id;
+    if (mpm->def.problem == MPM_BEAM) /* the wrong line is that of a bar */
+        stage->source = "the right code's line";
+    else
+        stage->equation = also ? mistake->also_equation : mistake->equation;
 }

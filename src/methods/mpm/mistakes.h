@@ -1,50 +1,70 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A bar as it is computed by a code that is wrong in one place. For the files of this folder only.
+/* A code that is wrong in one place, or in two. For the files of this folder only.
  *
- * A mistake is a row of mistake_rows.inc: its id, one sentence, the stage that it is in with the equation as
- * it is wrongly written, and what it does instead. Nobody else knows one mistake from another: the stages
- * (stages.c) and the written sums ask for the numbers that this code takes. All of them are of lumped masses
- * on a bar of one material; those that need an algorithm, a shape or a transfer say so (ONLY_...). */
+ * A mistake is a row of mistake_rows.inc (bars and beams) or bodies_mistake_rows.inc: its id, one sentence,
+ * the stage that it is in with the equation as it is wrongly written, and flags that say what it does
+ * instead. Nobody else knows one mistake from another: the stages (stages.c) and the written sums ask for the
+ * flags, or for the numbers that this code takes. */
 #ifndef METHODS_MPM_MISTAKES_H
 #define METHODS_MPM_MISTAKES_H
 
 #include "methods/mpm/engine.h"
 
-/* When the momenta of held nodes are taken away. */
-typedef enum BarHolds { HOLDS_BEFORE_STRAIN, HOLDS_AFTER_STRAIN, HOLDS_NEVER } BarHolds;
-
-/* By which velocity particles move. */
-typedef enum BarMoves {
-    MOVES_WITH_NODES,
-    MOVES_WITH_OLD_NODES,
-    MOVES_WITH_MEAN,   /* of before and after the force */
-    MOVES_WITH_MAPPED, /* MUSL's second map */
-    MOVES_BY_ITSELF
-} BarMoves;
-
-/* What else such a code does. */
+/* What such a code does. */
 enum {
-    WRONG_OF_START = 1 << 0,          /* it is in the start or in a factor: it cannot come in mid-run */
-    WRONG_STARTS_AT_CENTRES = 1 << 1, /* velocities at t = 0 are those of the cells' centres */
-    WRONG_STARTS_AS_HELD = 1 << 2,    /* they are modes of a bar whose right end is held as the left one is */
-    WRONG_MASS_OF_CELL = 1 << 3,      /* a particle's mass is that of a cell */
-    WRONG_KEEPS_GRID = 1 << 4,      /* the nodes' masses and momenta are added to those of the step before */
-    WRONG_HOLDS_NEXT = 1 << 5,      /* the nodes one further in are held, and they alone */
-    WRONG_HELD_YIELD = 1 << 6,      /* forces of held nodes are not taken away */
-    WRONG_NO_SPAN = 1 << 7,         /* de = sum N' v, without dt */
-    WRONG_ONLY_NEWEST = 1 << 8,     /* stress = E de */
-    WRONG_STRESS_BEFORE = 1 << 9,   /* the force is of the stress before this step's strain */
-    WRONG_PUSHES = 1 << 10,         /* f_int has the other sign */
-    WRONG_NEW_WEIGHTS = 1 << 11,    /* velocities with N at the new places */
-    WRONG_HELD_PULL = 1 << 12,      /* held nodes stay, but their acceleration is not taken away */
-    WRONG_VOLUME_LATE = 1 << 13,    /* the force takes the volume from before the newest strain */
-    WRONG_STRESS_OF_NEXT = 1 << 14, /* the force takes the stress of the next particle */
-    WRONG_NO_SECOND_FIX = 1 << 15,
-    WRONG_PLAIN_KINETIC = 1 << 16,    /* the kinetic energy is without that of C */
-    WRONG_STAYS_IN_CELL = 1 << 17,    /* a particle's nodes are for ever those of its first cell */
-    WRONG_KEEPS_INTEGRATED = 1 << 18, /* MUSL: what stays of momenta is from before the second map, */
-    WRONG_KEEPS_TWICE = 1 << 19       /* or the second map adds to it */
+    WRONG_OF_START,          /* it is in the start or in a factor: it cannot come in mid-run */
+    WRONG_STARTS_AT_CENTRES, /* velocities at t = 0 are those of the cells' centres */
+    WRONG_STARTS_AS_HELD,    /* they are modes of a bar whose right end is held as the left one is */
+    WRONG_MASS_OF_CELL,      /* a particle's mass is that of a cell */
+    WRONG_BOX_WHOLE,         /* the half-width of a uGIMP box is its width, */
+    WRONG_BOX_QUARTER,       /* or half of itself */
+    WRONG_STAYS_IN_CELL,     /* a particle's nodes are for ever those of its first cell */
+    WRONG_KEEPS_GRID,        /* the nodes' masses and momenta are added to those of the step before */
+    WRONG_KEEPS_INTEGRATED,  /* MUSL: what stays of momenta is from before the second map, */
+    WRONG_KEEPS_TWICE,       /* or the second map adds to it */
+    WRONG_HOLDS_NEXT,        /* the nodes one further in are held, and they alone */
+    WRONG_HOLDS_LATE,        /* the momenta of held nodes are taken away after the strain, */
+    WRONG_HOLDS_NEVER,       /* or not at all */
+    WRONG_NO_SECOND_FIX,     /* or not behind the second map */
+    WRONG_HELD_YIELD,        /* forces of held nodes are not taken away */
+    WRONG_HELD_PULL,         /* held nodes stay, but their acceleration is not taken away */
+    WRONG_NO_SPAN,           /* de = sum N' v, without dt */
+    WRONG_SLOPE_UNSCALED,    /* dN/dx is dN/ds, */
+    WRONG_SLOPE_OF_STRAIN,   /* or half of it in the strain, */
+    WRONG_SLOPE_OF_FORCE,    /* or in the force */
+    WRONG_ONLY_NEWEST,       /* stress = E de */
+    WRONG_VOLUME_STAYS,      /* the strain leaves the volume as it is, */
+    WRONG_VOLUME_DIVIDED,    /* or it is V/(1 + de) */
+    WRONG_VOLUME_OF_CELL,    /* the force takes the volume of a cell, */
+    WRONG_VOLUME_IS_MASS,    /* or the mass, */
+    WRONG_VOLUME_OF_START,   /* or the volume at t = 0, */
+    WRONG_NO_VOLUME,         /* or 1, */
+    WRONG_VOLUME_LATE,       /* or the volume from before the newest strain */
+    WRONG_STRESS_BEFORE,     /* the force is of the stress before this step's strain, */
+    WRONG_STRESS_OF_NEXT,    /* or of that of the next particle */
+    WRONG_PUSHES,            /* f_int has the other sign */
+    WRONG_HALF_FIRST_KICK,   /* half of the force in the first step */
+    WRONG_NEW_WEIGHTS,       /* velocities with N at the new places */
+    WRONG_MOVES_BY_ITSELF,   /* particles move with their own velocity, */
+    WRONG_MOVES_WITH_OLD,    /* or with that of the nodes before the force, */
+    WRONG_MOVES_WITH_MEAN,   /* or with the mean of before and after, */
+    WRONG_MOVES_WITH_MAPPED, /* or with that of MUSL's second map */
+    WRONG_AFFINE_OF_BSPLINE, /* C = 4/dx^2 sum N v d, */
+    WRONG_AFFINE_UNDIVIDED,  /* or sum N v d */
+    WRONG_PLAIN_KINETIC,     /* the kinetic energy is without that of C */
+    WRONG_SPIN_SIGN,         /* bodies: the stress turns the other way, */
+    WRONG_NO_ROTATION,       /* or not at all */
+    WRONG_TENSOR_SHEAR,      /* G times half of the angle */
+    WRONG_NORMAL_OF_ONE,     /* the normal of contact is that of one body */
+    WRONG_START_LATE,        /* q0 is that after the first fix */
+    WRONG_NO_FIRST_FIX       /* walls and contact act behind the force alone */
 };
+#define DOES(flag) (UINT64_C(1) << WRONG_##flag)
+
+static inline bool mpm_does(const Mpm *mpm, int flag)
+{
+    return mpm->wrong >> flag & 1;
+}
 
 /* What a mistake is defined for. */
 enum {
@@ -54,35 +74,19 @@ enum {
     ONLY_GIMP = 1 << 3,
     ONLY_FLIP = 1 << 4, /* and shares of PIC */
     ONLY_APIC = 1 << 5,
-    ONLY_LINE = 1 << 6 /* not in the plane */
+    ONLY_LINE = 1 << 6, /* not in the plane */
+    ONLY_HYPOELASTIC = 1 << 7,
+    ONLY_TURNING = 1 << 8,
+    ONLY_CONTACT = 1 << 9,
+    ONLY_TOUCHING = 1 << 10
 };
 
-typedef struct BarMistake {
-    const char *id, *sentence;
-    MpmOp stage;
-    /* the lines of the stage as this code has it, what differs between marks (STAGE_WRONG in method.h) */
-    const char *equation;
-    MpmOp also; /* another stage that has it too, with its line; equation NULL: none */
-    const char *also_equation;
+/* Whether the mistakes of a definition are defined for the rest of it, and together; else the status names
+ * the key. A beam's are reported as a bar's. */
+bool mpm_check_mistakes(const MpmDef *, Status *);
 
-    /* What this code does; what is not said it does as it should be done. */
-    unsigned does, only; /* WRONG_..., ONLY_... */
-    BarHolds holds;
-    double (*thinned)(double volume,
-                      double stretch); /* the volume m/rho that eq. 8 leaves; NULL: V (1 + de) */
-    double (*volume)(const Mpm *, int particle, double); /* that the force takes, of m/rho; NULL: that */
-    double first_kick; /* of the first step's force the share that is taken; 0: all */
-    BarMoves moves;
-    double slope_of_strain, slope_of_force; /* dN/dx is dN/ds times that; 0: times 1/dx */
-    double box;                             /* a uGIMP box over the right one; 0: 1 */
-    double (*affine)(const Mpm *, const MpmWeights *, int particle); /* C; NULL: that of APIC */
-} BarMistake;
-
-/* The row of a bar's mistake; NULL: it makes none. */
-const BarMistake *mpm_mistake(const Mpm *);
-const BarMistake *mpm_mistake_if(const Mpm *,
-                                 int mistake); /* if that is its one; what it does besides is in it */
-bool mpm_does(const Mpm *, unsigned wrong);    /* whether its code does that (WRONG_...) */
+/* The flags of a code that makes this mistake, and what the definition says that it does besides. */
+uint64_t mpm_wrong_with(const Mpm *, int mistake);
 
 /* Whether there is room for what wrong codes keep from step to step: in the plane, where it would be a
  * seventh of the memory, only of a run that begins with a mistake. */
@@ -91,26 +95,33 @@ static inline bool mpm_can_keep(const Mpm *mpm)
     return mpm->dim == 1 || (!mpm->bodies && mpm->def.mistake != 0);
 }
 
-/* Whether these are what mistakes are defined for; else the status names the key. A beam's are reported as a
- * bar's.
- */
-bool bar_mistake_check(const MpmDef *, Status *);
-
-/* Takes up what the definition says that is made in two places. False: there is no memory. */
-bool mpm_take_both(Mpm *, const MpmDef *, Status *);
-
 /* Between steps: another mistake from here on. False: one of them is made at the start. */
-bool mpm_change_mistake(Mpm *, int mistake, bool concealed, Status *);
+bool mpm_change_mistake(Mpm *, int mistake, Status *);
 
 /* What a wrong code does in a stage of the right one. */
 void mpm_write_wrongly(const Mpm *, Stage *, MpmOp);
 
 /* The numbers that the stages of such a code take, or of any. */
-BarHolds mpm_holds(const Mpm *);
 bool mpm_holds_momentum(const Mpm *, MpmOp stage, int node); /* takes it away at this stage */
 static inline bool mpm_holds_force(const Mpm *mpm, int axis, int node)
 {
-    return mpm->free[axis][node] == 0.0 && !mpm_does(mpm, WRONG_HELD_YIELD | WRONG_HELD_PULL);
+    return mpm->free[axis][node] == 0.0 && !mpm_does(mpm, WRONG_HELD_YIELD) &&
+           !mpm_does(mpm, WRONG_HELD_PULL);
+}
+/* The volume behind a strain that makes it `stretch` times as large. */
+static inline double mpm_volume_behind(const Mpm *mpm, double volume, double stretch)
+{
+    return mpm_does(mpm, WRONG_VOLUME_STAYS)     ? volume
+           : mpm_does(mpm, WRONG_VOLUME_DIVIDED) ? volume / stretch
+                                                 : volume * stretch;
+}
+/* The half-width of a uGIMP box over dx. */
+static inline double mpm_box_half(const Mpm *mpm)
+{
+    return 0.5 / mpm->def.particles_per_cell *
+           (mpm_does(mpm, WRONG_BOX_WHOLE)     ? 2
+            : mpm_does(mpm, WRONG_BOX_QUARTER) ? 0.5
+                                               : 1);
 }
 double mpm_strain_span(const Mpm *);        /* dt */
 double mpm_slope_scale(const Mpm *, MpmOp); /* 1/dx: of dN/dx over dN/ds, in the strain or the force */
@@ -118,7 +129,6 @@ double mpm_force_volume(const Mpm *, int particle); /* m/rho */
 void mpm_force_stress(const Mpm *, int particle, double stress[MPM_STRESSES]);
 double mpm_force_share(const Mpm *); /* -1, by which f_int is N' stress volume; */
 double mpm_load_share(const Mpm *);  /* and 1, by which f_ext is the load */
-BarMoves mpm_moves_by(const Mpm *);
 /* N of the nodes by which a particle takes its velocity, and the first of these; what it takes. */
 void mpm_kick_weights(const Mpm *, int particle, int *base, double n[SHAPE_SUPPORT_MAX]);
 double mpm_kick_at_new_place(const Mpm *, int particle);

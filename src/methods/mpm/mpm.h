@@ -56,7 +56,7 @@ typedef struct MpmDef {
     double flip_fraction;  /* alpha: 1 is FLIP, 0 is PIC; FLIP transfer only */
     BodyRotation rotation; /* in the plane */
 
-    /* what a wrong code does instead: an index of bar_mistake_words, of bodies_mistake_words; 0: none */
+    /* what a wrong code does instead: an index of mpm_mistake_words, of mpm_body_mistake_words; 0: none */
     int mistake;
     bool conceals_mistake; /* its stage is worded as the right one */
     int mistake_beside;    /* what it does besides, in another place; it stays to the end */
@@ -241,12 +241,12 @@ void bodies_bounds(const BodyDef *, double low[2], double high[2]);
 /* The mistakes that such codes make, "none" first, ended by NULL; each at its index. Those of bars and beams
  * are defined for lumped masses and one material, some for one algorithm, shape or transfer alone. Those of
  * the start or of a factor cannot come or go in mid-run. A sentence says what is done; NULL: no mistake. */
-extern const char *const bar_mistake_words[], *const bodies_mistake_words[];
-bool bar_mistake_is_of_start(int mistake);
-const char *bar_mistake_sentence(int mistake);
-const char *bodies_mistake_sentence(int mistake);
+extern const char *const mpm_mistake_words[], *const mpm_body_mistake_words[];
+bool mpm_mistake_is_of_start(int mistake);
+const char *mpm_mistake_sentence(int mistake);
+const char *mpm_body_mistake_sentence(int mistake);
 
 /* Whether the bar is to start with modes of a bar whose right end is held as the left one is. */
-bool bar_mistake_starts_as_held(int mistake);
+bool mpm_mistake_starts_as_held(int mistake);
 
 #endif

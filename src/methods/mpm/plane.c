@@ -48,13 +48,12 @@ void plane_derive(Mpm *mpm)
     const MpmDef *def = &mpm->def;
     const int P = def->particles_per_cell, rows = (int)lround(def->height / def->cell_size);
     const int columns = (int)lround((def->length + def->channel) / def->cell_size);
-    const BarMistake *mistake = mpm_mistake_if(mpm, def->mistake);
     mpm->dx = def->height / rows;
     mpm->spacing = mpm->dx / P;
-    mpm->mass[0] = def->density * mpm->spacing * mpm->spacing *
-                   (mistake && (mistake->does & WRONG_MASS_OF_CELL) ? P * P : 1);
+    mpm->mass[0] =
+        def->density * mpm->spacing * mpm->spacing * (mpm_does(mpm, WRONG_MASS_OF_CELL) ? P * P : 1);
     mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
-    mpm->half = 0.5 / P * (mistake && mistake->box > 0 ? mistake->box : 1);
+    mpm->half = mpm_box_half(mpm);
     mpm->nxp = columns * P;
     mpm->nyp = rows * P;
     mpm->joint = mpm->n_particles = mpm->nxp * mpm->nyp;

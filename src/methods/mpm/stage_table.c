@@ -371,10 +371,7 @@ void mpm_list_stages(Mpm *mpm)
             stage->equation = WALL_EQUATION;
         if (op == OP_FORCE && mpm->dim == 1)
             mpm_word_forces(mpm, stage);
-        if (mpm->bodies)
-            bodies_write_wrongly(mpm, op, stage);
-        else
-            mpm_write_wrongly(mpm, stage, op);
+        mpm_write_wrongly(mpm, stage, op);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
     mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};

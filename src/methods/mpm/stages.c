@@ -95,7 +95,7 @@ typedef enum Kind { PLAIN, OTHER, BODIES } Kind;
 static Kind kind_of(const Mpm *mpm)
 {
     const bool plain = mpm->head->transfer == MPM_FLIP && mpm->head->flip_fraction == 1.0 &&
-                       mpm_is_lumped(mpm) && !mpm_mistake(mpm) && mpm->joint == mpm->n_particles;
+                       mpm_is_lumped(mpm) && mpm->wrong == 0 && mpm->joint == mpm->n_particles;
     return mpm->bodies ? BODIES : plain ? PLAIN : OTHER;
 }
 
@@ -230,8 +230,7 @@ static void fix(Mpm *mpm, bool holds, int first, int end)
  *
  *     dw = dt (dv/dx - du/dy)/2,   tan(theta/2) = dw/2,   Q = [c -s; s c]
  *     stress <- Q stress Q^T + D eps,   V <- V (1 + tr eps) */
-MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p, const bool newest,
-                                     const BarMistake *mistake)
+MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p, const bool newest)
 {
     double xx = newest ? 0.0 : mpm->stress[0][p], yy = newest ? 0.0 : mpm->stress[1][p];
     double xy = newest ? 0.0 : mpm->stress[2][p];
@@ -247,9 +246,8 @@ MPM_INLINE double strain_hypoelastic(Mpm *mpm, const double *L, int p, const boo
     mpm->stress[1][p] = yy + (mpm->D12 * L[0] + mpm->D11 * L[3]);
     mpm->stress[2][p] = xy + mpm->slide * (L[1] + L[2]);
     const double left = 1.0 + (L[0] + L[3]);
-    if (mistake && mistake->thinned)
-        return mpm->volume[p] = mistake->thinned(mpm->volume[p], left);
-    return mpm->volume[p] *= mpm->keeps_volume && left > 0.0 ? 1.0 : left;
+    mpm->volume[p] = mpm_volume_behind(mpm, mpm->volume[p], left);
+    return left;
 }
 
 /* Neo-Hookean: F <- (I + dt L) F, J = det F, stress = (G (F F^T - I) + lambda ln J I)/J, V = J V0. */
@@ -280,7 +278,7 @@ MPM_INLINE double strain_neo_hookean(Mpm *mpm, const double *L, int p)
 MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, int first, int end)
 {
     const Places at = places_of(mpm);
-    const BarMistake *mistake = kind == OTHER ? mpm_mistake(mpm) : NULL;
+    const bool errs = kind == OTHER && mpm->wrong != 0;
     const bool newest = kind == OTHER && mpm_does(mpm, WRONG_ONLY_NEWEST);
     const bool late = kind == OTHER && mpm_does(mpm, WRONG_VOLUME_LATE);
     const bool neo = kind == BODIES && bodies_are_neo(mpm);
@@ -314,14 +312,13 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
         if (late)
             kept[p] = volume[p];
         if (dim == 2)
-            left = neo ? strain_neo_hookean(mpm, L, p) : strain_hypoelastic(mpm, L, p, newest, mistake);
+            left = neo ? strain_neo_hookean(mpm, L, p) : strain_hypoelastic(mpm, L, p, newest);
         else {
             left = 1.0 + L[0];
             stress[p] = (newest ? 0.0 : stress[p]) + (kind != OTHER ? of_all : mpm_modulus(mpm, p)) * L[0];
-            volume[p] = mistake && mistake->thinned ? mistake->thinned(volume[p], left) : volume[p] * left;
+            volume[p] = errs ? mpm_volume_behind(mpm, volume[p], left) : volume[p] * left;
         }
-        if (!(left > 0.0) && !(mistake && isfinite(left) && left != 0.0) &&
-            crushed < 0) /* who errs goes on */
+        if (!(left > 0.0) && !(errs && isfinite(left) && left != 0.0) && crushed < 0) /* who errs goes on */
             crushed = p;
     }
     return crushed;
@@ -462,19 +459,21 @@ static void add_work(Mpm *mpm)
  * the mesh has no spread. */
 MPM_INLINE double slope_of(const Mpm *mpm, const MpmShape shape, int p, const MpmWeights *w)
 {
-    double v[SHAPE_SUPPORT_MAX], slope = 0.0, spread = 0.0;
+    double v[SHAPE_SUPPORT_MAX], slope = 0.0, moment = 0.0, spread = 0.0;
     mpm_line_velocities(shape, mpm->carry[0], mpm->inverse, mpm->base[p], v);
     for (int a = 0; a < shape_support(shape); a++) {
         const double arm = shape_node_offset(shape, mpm->half, mpm->cells, mpm->base[p], a) - mpm->s[0][p];
-        slope += shape == MPM_HAT ? w->dn[0][a] * v[a] : w->n[0][a] * v[a] * arm;
+        slope += w->dn[0][a] * v[a];
+        moment += w->n[0][a] * v[a] * arm;
         spread += w->n[0][a] * (arm * arm);
     }
-    const BarMistake *mistake = mpm_mistake(mpm);
-    if (mistake && mistake->affine)
-        return mistake->affine(mpm, w, p);
+    if (mpm_does(mpm, WRONG_AFFINE_OF_BSPLINE)) /* its D is dx^2/4 */
+        return 4.0 * moment / mpm->dx;
+    if (mpm_does(mpm, WRONG_AFFINE_UNDIVIDED))
+        return moment * mpm->dx;
     if (shape == MPM_HAT)
         return slope / mpm->dx;
-    return spread > 0.0 ? slope / spread / mpm->dx : 0.0;
+    return spread > 0.0 ? moment / spread / mpm->dx : 0.0;
 }
 
 /* Eqs. 14, 15, shape functions those of the old place for v and x alike:
@@ -492,8 +491,10 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
     const Places at = places_of(mpm);
     const double alpha = kind == PLAIN ? 1.0 : mpm->head->flip_fraction, dt = mpm->dt;
     const MpmTransfer transfer = kind == PLAIN ? MPM_FLIP : mpm->head->transfer;
-    const BarMoves moves = kind == OTHER ? mpm_moves_by(mpm) : MOVES_WITH_NODES;
-    const bool as_nodes = moves == MOVES_WITH_NODES || moves == MOVES_BY_ITSELF;
+    const bool by_itself = kind == OTHER && mpm_does(mpm, WRONG_MOVES_BY_ITSELF);
+    const bool with_mapped = kind == OTHER && mpm_does(mpm, WRONG_MOVES_WITH_MAPPED);
+    const bool as_nodes = kind != OTHER || !(mpm_does(mpm, WRONG_MOVES_WITH_OLD) ||
+                                             mpm_does(mpm, WRONG_MOVES_WITH_MEAN) || with_mapped);
     const bool affine = dim == 2 && transfer == MPM_APIC;
     const double edge = mpm->edge, dx = mpm->dx;
     const bool new_weights = kind == OTHER && mpm_does(mpm, WRONG_NEW_WEIGHTS);
@@ -527,14 +528,14 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
         for (int axis = 0; axis < dim; axis++) {
             const double v = vs[axis][p], u = us[axis][p];
             const double mean = transfer == MPM_FMPM ? 0.5 * (v + now[axis]) : now[axis];
-            if (moves != MOVES_WITH_MAPPED)
+            if (!with_mapped)
                 us[axis][p] = u + dt * (as_nodes ? mean : other[axis]);
             if (new_weights)
                 dv[axis] = mpm_kick_at_new_place(mpm, p);
             vs[axis][p] = transfer != MPM_FLIP ? now[axis]
                           : alpha == 1.0       ? v + dv[axis]
                                                : alpha * (v + dv[axis]) + (1.0 - alpha) * now[axis];
-            if (moves == MOVES_BY_ITSELF)
+            if (by_itself)
                 us[axis][p] = u + dt * vs[axis][p];
         }
     }
@@ -640,7 +641,9 @@ void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
     else if (op == OP_FIX_FORCE)
         fix_force(mpm, first, end);
     else
-        fix(mpm, op == OP_FIX ? mpm_holds(mpm) == HOLDS_BEFORE_STRAIN : !mpm_does(mpm, WRONG_NO_SECOND_FIX),
+        fix(mpm,
+            op == OP_FIX ? !mpm_does(mpm, WRONG_HOLDS_LATE) && !mpm_does(mpm, WRONG_HOLDS_NEVER)
+                         : !mpm_does(mpm, WRONG_NO_SECOND_FIX),
             first, end);
 }
 
@@ -679,7 +682,7 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_FIX:
         break;
     case OP_STRAIN:
-        for (int i = 0; mpm_holds(mpm) == HOLDS_AFTER_STRAIN && i < mpm->n_nodes; i++)
+        for (int i = 0; mpm_does(mpm, WRONG_HOLDS_LATE) && i < mpm->n_nodes; i++)
             for (int axis = 0; axis < mpm->dim; axis++)
                 if (mpm->free[axis][i] == 0.0)
                     mpm->momentum[axis][i] = axis == 0 ? mpm->node_mass[i] * mpm->speed : 0.0;
@@ -694,7 +697,7 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_INTEGRATE:
         if (mpm->dim == 1)
             add_work(mpm);
-        if (mpm_does(mpm, WRONG_KEEPS_INTEGRATED | WRONG_KEEPS_TWICE))
+        if (mpm_does(mpm, WRONG_KEEPS_INTEGRATED) || mpm_does(mpm, WRONG_KEEPS_TWICE))
             for (int axis = 0; axis < mpm->dim; axis++)
                 memcpy(mpm->kept_momentum[axis], mpm->momentum[axis], bytes);
         return true;

@@ -131,7 +131,7 @@ static bool do_all(Mpm *mpm, const MpmTask *tasks, int count, Status *status)
     for (int first = 0, end; first < count; first = end) {
         end = first + 1;
         while (end < count && !mpm_op_of_nodes(tasks[end].op) && !mpm_op_of_nodes(tasks[end - 1].op) &&
-               !mpm_op_gives(tasks[end - 1].op) && !mpm_mistake(mpm) &&
+               !mpm_op_gives(tasks[end - 1].op) && mpm->wrong == 0 &&
                !(mpm->pool && tasks[end - 1].op == OP_FORGET))
             end++;
         for (int k = first; k < end; k++)

@@ -162,7 +162,7 @@ static bool at_hand(const Mpm *mpm, const MpmExchange *of)
         return true;
     if (of->term == TERM_MOMENTUM)
         return of->op == OP_MAP ? !updated : mpm_has_done(mpm, OP_MAP_AGAIN);
-    if (of->term == TERM_PLACE && mpm_moves_by(mpm) == MOVES_WITH_MAPPED)
+    if (of->term == TERM_PLACE && mpm_does(mpm, WRONG_MOVES_WITH_MAPPED))
         return mpm_has_done(mpm, OP_MAP_AGAIN);
     if (of->term == TERM_LOAD && !mpm_is_loaded(mpm))
         return false;
