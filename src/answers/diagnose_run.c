@@ -27,27 +27,33 @@ double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column,
     return table->file.columns[column->theirs].values[table->rows[row]] * column->factor;
 }
 
-/* The round-off of two right codes, as a share of a column's size. */
-static double diagnose_round_off(const DiagnoseTable *table, long step)
-{
-    return table->noise * (1 + table->noise_growth * (double)step);
-}
-
 double diagnose_last_digit(const OverlayColumn *column, double number)
 {
-    const double place = math_pow(10, -fmin(column->places, 300));
-    return number == 0
-               ? place
-               : fmax(place, math_pow(10, floor(math_log10(fabs(number))) - fmin(column->digits, 17) + 1));
+    const double place = -fmin(column->places, 300);
+    if (number == 0)
+        return math_pow(10, place);
+    return math_pow(10, fmax(place, floor(math_log10(fabs(number))) - fmin(column->digits, 17) + 1));
+}
+
+/* Half a unit of the last digit of an entry, in our units. */
+static double rounding_of(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs)
+{
+    ASSERT_INDEX(column->theirs, table->file.n_columns);
+    ASSERT(column->factor != 0);
+    const OverlayColumn *written = &table->file.columns[column->theirs];
+    return 0.51 * diagnose_last_digit(written, theirs / column->factor) * fabs(column->factor);
+}
+
+/* The round-off of two right codes is a share of a column's size. */
+static double bound_of(const DiagnoseTable *table, double rounding, double size, long step)
+{
+    return rounding + table->noise * (1 + table->noise_growth * (double)step) * size;
 }
 
 double diagnose_bound(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs, double size,
                       long step)
 {
-    ASSERT_INDEX(column->theirs, table->file.n_columns);
-    ASSERT(column->factor != 0);
-    const double unit = diagnose_last_digit(&table->file.columns[column->theirs], theirs / column->factor);
-    return 0.51 * unit * fabs(column->factor) + diagnose_round_off(table, step) * size;
+    return bound_of(table, rounding_of(table, column, theirs), size, step);
 }
 
 /* --- on the way ----------------------------------------------------------------------------------------- */
@@ -108,41 +114,36 @@ static void compare(Walker *walker, size_t row, int c, double ours)
         walk->grown ? walk->grown[walker->moment * (size_t)table->n_columns + (size_t)column->group] : 0;
     if (*size > 0)
         walk->farthest = fmax(walk->farthest, difference / *size);
-    const double digit = diagnose_last_digit(&table->file.columns[column->theirs], theirs / column->factor);
+    const double rounding = rounding_of(table, column, theirs);
     walk->most[c] = fmax(walk->most[c], fabs(theirs));
-    walk->off[c] = fmax(walk->off[c], difference - 0.51 * digit * fabs(column->factor));
-    if (difference >
-        grown + diagnose_bound(table, column, theirs, *size, table->moments[walker->moment].step))
+    walk->off[c] = fmax(walk->off[c], difference - rounding);
+    if (difference > grown + bound_of(table, rounding, *size, table->moments[walker->moment].step))
         depart(walker, row, c, theirs, ours);
     else if (!walk->departure.is) {
         walk->entries++;
         if (*size > 0)
             walk->worst = fmax(walk->worst, difference / *size);
-        if (difference > 0.51 * digit * fabs(column->factor) && *size > 0) {
-            walk->beyond = fmax(walk->beyond, (difference - 0.5 * digit * fabs(column->factor)) / *size);
+        if (difference > rounding && *size > 0) {
+            walk->beyond = fmax(walk->beyond, (difference - rounding * (0.5 / 0.51)) / *size);
             walk->off_digits++;
         }
     }
 }
 
 /* The values of things: one by one where few of many are needed. */
-static double thing_value(const Walker *walker, const Simulation *sim, int field, size_t thing, size_t wanted)
-{
-    return wanted * 8 < sim->counts[walker->walk->table->set] ? simulation_value(sim, field, thing)
-                                                              : walker->field[thing];
-}
-
 static void compare_things(Walker *walker, Simulation *sim)
 {
     const DiagnoseTable *table = walker->walk->table;
     const DiagnoseMoment *moment = &table->moments[walker->moment];
+    const size_t things = sim->counts[table->set];
+    const bool all = moment->count * 8 >= things;
     for (int c = 0; c < table->n_columns; c++) {
-        if (moment->count * 8 >= sim->counts[table->set])
-            sim->method->field(sim, walker->ours[c], 0, sim->counts[table->set], walker->field);
+        const int field = walker->ours[c];
+        if (all)
+            sim->method->field(sim, field, 0, things, walker->field);
         for (size_t k = 0; k < moment->count && !walker->done; k++) {
-            const size_t row = moment->first + k;
-            compare(walker, row, c,
-                    thing_value(walker, sim, walker->ours[c], table->things[row], moment->count));
+            const size_t row = moment->first + k, thing = table->things[row];
+            compare(walker, row, c, all ? walker->field[thing] : simulation_value(sim, field, thing));
         }
     }
 }
