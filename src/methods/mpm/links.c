@@ -53,10 +53,13 @@ size_t mpm_links(const Simulation *sim, int set, size_t index, Link *out, size_t
     if (set == MPM_PARTICLES)
         return links_of(mpm, (int)index, out, max);
     for (int p = first_reaching(mpm, (int)index); p < mpm->n_particles && count < max; p++) {
+        const int away = (int)index - mpm->base[p];
+        if (mpm->dim == 1 && away < 0)
+            break;
+        if (away < 0 || away / mpm->gx >= mpm->support || away % mpm->gx >= mpm->support)
+            continue;
         Link links[SHAPE_SUPPORT_MAX * SHAPE_SUPPORT_MAX];
         const size_t n = links_of(mpm, p, links, sizeof links / sizeof *links);
-        if (mpm->dim == 1 && mpm->base[p] > (int)index)
-            break;
         for (size_t k = 0; k < n; k++)
             if (links[k].index == index) {
                 out[count] = links[k];
