@@ -4,6 +4,7 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "lab/prompt/prompt.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -161,44 +162,64 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     return true;
 }
 
+/* The parameter, or the value of rows, that is chosen; false: there is none. */
+static bool chosen_value(const Laboratory *lab, ParameterRow *row)
+{
+    return screen_chosen_row(&lab->screen, row) && (row->parameter || (row->is_row && row->place.value));
+}
+
 void edit_nudge(Laboratory *lab, int direction, bool fine)
 {
-    const Parameter *parameter = edit_selected(&lab->screen);
-    if (!parameter)
-        return;
+    ParameterRow row;
     Settings settings = *laboratory_settings(lab);
     Status status = {STATUS_DONE, ""};
-    if (!settings_nudge(&settings, parameter, direction, fine)) {
+    if (!chosen_value(lab, &row))
+        return;
+    const Parameter *parameter = row.parameter;
+    if (parameter ? settings_nudge(&settings, parameter, direction, fine)
+                  : settings_row_nudge(&settings, &row.place, direction, fine)) {
+        if (!edit_change(lab, &settings, experiment_edit, &status))
+            laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+    } else if (!parameter) {
+        const RowKind *kind = &row_kinds[row.place.kind];
+        laboratory_tell(lab, "%s of a %s: there is no next one", kind->columns[row.place.value - 1].word,
+                        kind->one);
+    } else {
         /* a key that did nothing at the end of a range would seem broken */
-        char range[96];
-        parameter_range(parameter, settings.problem, range, sizeof range);
-        if (parameter->nudge == NUDGE_NONE)
-            laboratory_tell(lab, "%s: Enter edits it", parameter->label);
-        else
-            laboratory_tell(lab, "%s: %s", parameter->label, range);
-    } else if (!edit_change(lab, &settings, experiment_edit, &status))
-        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+        char range[96] = "Enter edits it";
+        if (parameter->nudge != NUDGE_NONE)
+            parameter_range(parameter, settings.problem, range, sizeof range);
+        laboratory_tell(lab, "%s: %s", parameter->label, range);
+    }
 }
 
 static bool accept_value(Laboratory *lab, Status *status)
 {
-    const Parameter *parameter = edit_selected(&lab->screen);
+    ParameterRow row;
     Settings settings = *laboratory_settings(lab);
-    return !parameter || (settings_change(&settings, parameter->key, lab->parameters.edit.text, status) &&
-                          edit_change(lab, &settings, experiment_edit, status));
+    const char *text = lab->parameters.edit.text;
+    return !chosen_value(lab, &row) ||
+           ((row.parameter ? settings_change(&settings, row.parameter->key, text, status)
+                           : settings_row_place_set(&settings, &row.place, text, status)) &&
+            edit_change(lab, &settings, experiment_edit, status));
 }
 
 void edit_begin(Laboratory *lab)
 {
-    const Parameter *parameter = edit_selected(&lab->screen);
-    if (!parameter)
+    ParameterRow row;
+    char *text = lab->parameters.edit.text;
+    const Settings *settings = laboratory_settings(lab);
+    if (!chosen_value(lab, &row))
         return;
     /* a few words are sooner gone through than typed */
-    if (parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG) {
+    if (row.parameter && row.parameter->choices) {
         edit_nudge(lab, 1, false);
         return;
     }
-    settings_get(laboratory_settings(lab), parameter, lab->parameters.edit.text);
+    if (row.parameter)
+        settings_get(settings, row.parameter, text);
+    else
+        text_shortest(text, settings_row_value(settings, row.place.kind, row.place.row, row.place.value - 1));
     edit_open_field(lab, accept_value, true);
 }
 

@@ -105,27 +105,15 @@ static bool accept(Laboratory *lab, Status *status)
     return true;
 }
 
-static bool accept_value(Laboratory *lab, Status *status)
-{
-    RowPlace place;
-    Settings settings = *laboratory_settings(lab);
-    return !screen_selected_row(&lab->screen, &place) ||
-           (settings_row_place_set(&settings, &place, lab->parameters.edit.text, status) &&
-            apply(lab, &settings, status));
-}
-
 void row_edit_begin(Laboratory *lab)
 {
     RowPlace place;
-    if (!screen_selected_row(&lab->screen, &place))
+    if (!screen_selected_row(&lab->screen, &place) || place.value)
         return;
     const Settings *settings = laboratory_settings(lab);
     FieldEdit *edit = &lab->parameters.edit;
     char values[ROW_TEXT_MAX];
-    if (place.value) {
-        text_shortest(edit->text, settings_row_value(settings, place.kind, place.row, place.value - 1));
-        edit_open_field(lab, accept_value, true);
-    } else if (place.row == ROW_NEW)
+    if (place.row == ROW_NEW)
         row_edit_add(lab);
     else {
         settings_row_get(settings, place.kind, place.row, values);
@@ -141,23 +129,13 @@ void row_edit_begin(Laboratory *lab)
 void row_edit_nudge(Laboratory *lab, int direction, bool fine)
 {
     RowPlace place;
-    Settings settings = *laboratory_settings(lab);
-    Status status = {STATUS_DONE, ""};
     edit_nudge(lab, direction, fine);
-    if (!screen_selected_row(&lab->screen, &place))
-        return;
-    const RowKind *kind = &row_kinds[place.kind];
-    if (!place.value)
+    if (screen_selected_row(&lab->screen, &place) && !place.value)
         laboratory_tell(lab,
-                        place.row == ROW_NEW ? "Enter adds a %s"
-                        : kind->usual        ? "the %s: Enter edits, p moves it"
-                                             : "a %s: Enter edits, p moves, C copies, D deletes it",
-                        kind->one);
-    else if (!settings_row_nudge(&settings, &place, direction, fine))
-        laboratory_tell(lab, "%s of a %s: there is no next one", kind->columns[place.value - 1].word,
-                        kind->one);
-    else if (!apply(lab, &settings, &status))
-        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+                        place.row == ROW_NEW          ? "Enter adds a %s"
+                        : row_kinds[place.kind].usual ? "the %s: Enter edits, p moves it"
+                                                      : "a %s: Enter edits, p moves, C copies, D deletes it",
+                        row_kinds[place.kind].one);
 }
 
 /* --- on the map

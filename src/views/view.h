@@ -161,4 +161,7 @@ void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
  * more. */
 bool beam_lines(const Screen *, char first[160], char second[160]);
 
+/* They are below other plots of the run too; `first` takes the place of the first one, "": nothing does. */
+void beam_note_lines(const Screen *, Picture *, const char *first);
+
 #endif

@@ -355,3 +355,11 @@ bool beam_lines(const Screen *screen, char first[160], char second[160])
         supported_lines(screen, first, second);
     return true;
 }
+
+void beam_note_lines(const Screen *screen, Picture *picture, const char *first)
+{
+    char lines[2][160];
+    beam_lines(screen, lines[0], lines[1]);
+    picture_note(picture, STYLE_NORMAL, "%s", *first ? first : lines[0]);
+    picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
+}

@@ -18,15 +18,6 @@ static bool has_crack(const Screen *screen)
     return experiment_column(screen->experiment, "crack_x") >= 0;
 }
 
-/* The same two lines as under other plots of it. `first`: what this one adds to them; "": nothing. */
-static void note_crack(const Screen *screen, Picture *picture, const char *first)
-{
-    char lines[2][160];
-    beam_lines(screen, lines[0], lines[1]);
-    picture_note(picture, STYLE_NORMAL, "%s", *first ? first : lines[0]);
-    picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
-}
-
 /* The present run, what it should be, and the ghosts. */
 static void add_keys(const Screen *screen, Picture *picture, const ShownRun *runs, int n_runs,
                      const char *target)
@@ -93,7 +84,7 @@ static void describe_path(const Screen *screen, Picture *picture)
     CrackFacts facts;
     if (crack_facts(sim, &facts) && facts.measured.begun)
         picture_mark(picture, facts.measured.x, facts.measured.y, 0x25cf, STYLE_CHANGED);
-    note_crack(screen, picture, "");
+    beam_note_lines(screen, picture, "");
 }
 
 /* --- curves over time ------------------------------------------------------------------------------ */
@@ -169,7 +160,7 @@ static void describe_over_time(const Screen *screen, Picture *picture, const Cra
         const double *row = record_row(record, record_find(record, picture->plot.x.high));
         runs_letter(picture, &runs[r], row[1], curve->value(row, &columns[r]), MARK_PLACE);
     }
-    note_crack(screen, picture, curve->line);
+    beam_note_lines(screen, picture, curve->line);
 }
 
 static const char *const pictures[] = {"path", "angle", "speed"};

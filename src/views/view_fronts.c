@@ -39,7 +39,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         const double value = variant == VARIANT_SPEED ? front->fastest : front->advance;
         most = fmax(most, value);
     }
-    char lines[2][160];
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
                    speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");
     /* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a
@@ -72,9 +71,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                          (uint32_t)('a' + f), STYLE_MEASURED);
         }
     }
-    beam_lines(screen, lines[0], lines[1]);
-    picture_note(picture, STYLE_NORMAL, "%s", lines[0]);
-    picture_note(picture, STYLE_NORMAL, "%s", lines[1])->joins = true;
+    beam_note_lines(screen, picture, "");
 }
 
 const View view_fronts = {

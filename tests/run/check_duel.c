@@ -98,8 +98,10 @@ static void walk(Duel *duel, unsigned long *state)
         break;
     case 5:
         if (experiment_stage(a) == 0)
-            while (!whole && !experiment_at_end(a))
+            while (!whole && !experiment_at_end(a) && draw(state, 20) > 0)
                 ck_assert(duel_advance(duel, (Effort){.share = 0.3}, &whole, NULL));
+        duel_drop_part(duel); /* B comes to where A is */
+        ck_assert(!experiment_pending(a, NULL));
         break;
     case 6:
         duel_seek(duel, step + 25, 0);

@@ -51,6 +51,7 @@ static void step_in_parts(Experiment *experiment, unsigned long *state)
     while (!whole && draw(state, 40) > 0)
         ck_assert(experiment_work(experiment, a_part(1 + draw(state, all), all), &whole, NULL));
     experiment_drop_part(experiment);
+    ck_assert(!experiment_pending(experiment, NULL)); /* whose run goes on asks again */
     ck_assert_int_eq(experiment_step(experiment), whole && !at_end ? step + 1 : step);
     ck_assert_int_eq(experiment_stage(experiment), whole ? 0 : stage);
 }
