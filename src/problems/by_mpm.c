@@ -62,7 +62,7 @@ MpmDef mpm_definition(const Settings *settings, int threads)
         .shape = transfer->shape,
         .transfer = transfer->transfer,
         .flip_fraction = transfer->flip_fraction,
-        .rotation = transfer->rotation,
+        .rotation = bar ? ROTATION_NONE : transfer->rotation, /* a bar has no such parameter */
         .mistake = bodies ? transfer->body_mistake : transfer->mistake,
         .mistake_beside = transfer->mistake_beside,
         .conceals_mistake = settings->concealed,
