@@ -17,6 +17,21 @@
 
 enum { WORDS_DIGITS = 5 };
 
+CalculationLabel calculation_label(int dimensions, const char *form, int axis, int number)
+{
+    CalculationLabel label = {""};
+    const bool line = dimensions == 1;
+    for (; *form; form++)
+        if (*form == '@' || *form == '#' || (line && strncmp(form, "_@", 2) == 0)) {
+            if (*form == '@' && !line)
+                text_append(label.text, sizeof label.text, "%c", axis ? 'y' : 'x');
+            if (*form == '#' && line)
+                text_append(label.text, sizeof label.text, "%d", number);
+        } else
+            text_append(label.text, sizeof label.text, "%c", *form);
+    return label;
+}
+
 void calculation_open(Calculation *calculation, char *out, size_t size, int terms)
 {
     ASSERT_INT(size, >, 0);

@@ -39,6 +39,13 @@ typedef struct CalculationSum {
     const char *unit; /* NULL: none */
 } CalculationSum;
 
+/* A form of words along an axis, of a thing by its number: "p@# = " is "px = ", along a line "p13 = ", and
+ * "gain_@" there "gain". */
+typedef struct CalculationLabel {
+    char text[120];
+} CalculationLabel;
+CalculationLabel calculation_label(int dimensions, const char *form, int axis, int number);
+
 void calculation_open(Calculation *, char *out, size_t size, int terms);
 
 /* Words; a number of a few digits after words. */

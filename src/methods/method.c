@@ -349,6 +349,17 @@ double simulation_named(const Simulation *sim, int set, const char *name, size_t
     return simulation_value(sim, simulation_find_field(sim, set, name), index);
 }
 
+void stage_complete(Stage *stage, const Stage *other)
+{
+    const char **const members[] = {&stage->id,       &stage->name,  &stage->equation, &stage->source,
+                                    &stage->sentence, &stage->reads, &stage->writes};
+    const char *const others[] = {other->id,       other->name,  other->equation, other->source,
+                                  other->sentence, other->reads, other->writes};
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (!*members[k])
+            *members[k] = others[k];
+}
+
 static int by_pull(const void *a, const void *b)
 {
     const Link *one = a, *other = b;

@@ -72,6 +72,9 @@ typedef struct Stage {
     const char *writes;
 } Stage;
 
+/* What a stage does not say of itself it has as another one. */
+void stage_complete(Stage *, const Stage *other);
+
 enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_DIMENSIONS_MAX = 2 };
 
 /* What a simulation has: bits of Simulation.has. */
@@ -121,6 +124,12 @@ typedef struct Link {
 static inline double link_pull(const Link *link)
 {
     return link->stiffness * link->stretch;
+}
+
+/* Before the number of the other end, where that is meant. */
+static inline const char *link_mirror(const Link *link)
+{
+    return link->mirrored ? "mirror of " : "";
 }
 
 /* What linked things give to each other in a stage: for each pair a product of a few numbers. The products

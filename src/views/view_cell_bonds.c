@@ -115,8 +115,8 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
     char text[200], product[2][160];
     const bool left = link->apart[0] < 0; /* its other end */
     const size_t ends[2] = {left ? link->index : bonds->node, left ? bonds->node : link->index};
-    snprintf(text, sizeof text, "the bond %zu to %zu, the %s of %zu", bonds->node, link->index,
-             link->broken ? "first" : "strongest", bonds->count);
+    snprintf(text, sizeof text, "the bond %zu to %s%zu, the %s of %zu", bonds->node, link_mirror(link),
+             link->index, link->broken ? "first" : "strongest", bonds->count);
     if (stage)
         text_append(text, sizeof text, ", stage %d: %s", (int)(stage - bonds->sim->stages) + 1, stage->name);
     open_drawing(picture, 0, 1, text);
@@ -125,7 +125,8 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
         add_end(picture, rest, 10, ends[e], ends[e] == bonds->node, false);
         add_end(picture, now, 6.5, ends[e], ends[e] == bonds->node, true);
         PictureLabel name = {.x = rest, .y = 10, .side = e ? 1 : -1, .thing = "node", .says_thing = true};
-        snprintf(name.text, sizeof name.text, "%zu", ends[e]);
+        snprintf(name.text, sizeof name.text, "%zu%s", ends[e],
+                 link->mirrored && left != e ? " mirrored" : "");
         picture_label(picture, &name);
         if (!link->broken && link->stretch != 0)
             add_pull(picture, now, copysign(0.1, link->stretch) * (e ? -1 : 1));
@@ -191,7 +192,8 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     const size_t shown = bonds->whole < SHOWN_MAX ? bonds->whole : SHOWN_MAX;
     const bool line = simulation_has(bonds->sim, HAS_LINE);
     char name[96], number[2 * NUMBER_TEXT_MAX + 32];
-    double rest[2] = {0, 0};
+    double rest[2] = {0, 0}, factors[EXCHANGE_FACTORS_MAX];
+    int n;
     snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
              bonds->count, bonds->count - bonds->whole, bonds->unit);
     open_drawing(picture, 0, 1, name);
@@ -199,13 +201,13 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     const double most = shown > 0 ? fabs(link_pull(&bonds->links[0])) : 0;
     for (size_t k = 0; k < shown; k++) {
         const double pull = link_pull(&bonds->links[k]);
-        snprintf(name, sizeof name, "%c to %zu  %.20s", (char)('a' + k), bonds->links[k].index,
-                 number_of(pull).text);
+        snprintf(name, sizeof name, "%c to %s%zu  %.20s", (char)('a' + k), link_mirror(&bonds->links[k]),
+                 bonds->links[k].index, number_of(pull).text);
         add_row(picture, 11.4 - 1.2 * (double)k, most > 0 ? pull / most : 0, name);
     }
     for (size_t k = shown; k < bonds->whole; k++)
-        for (int d = 0; d < 2; d++)
-            rest[d] += link_pull(&bonds->links[k]) * bonds->links[k].direction[d];
+        for (int d = 0; d < bonds->sim->n_exchanges; d++)
+            rest[d] += simulation_exchange(bonds->sim, d, bonds->node, &bonds->links[k], factors, &n);
     if (shown < bonds->whole) {
         snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
                  bonds->whole - shown, number_of(rest[0]).text);

@@ -396,7 +396,7 @@ static void describe_bonds(Strip *strip)
     const size_t count = find_links(strip, links);
     list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
     for (size_t i = 0; i < count; i++)
-        list(strip, STYLE_NORMAL, "to %zu  stretch %s  pull %s", links[i].index,
+        list(strip, STYLE_NORMAL, "to %s%zu  stretch %s  pull %s", link_mirror(&links[i]), links[i].index,
              text_fitted(links[i].stretch, 4, 10).text, text_fitted(link_pull(&links[i]), 4, 10).text);
     note_nodes(&row, pulls, inside && strcmp(stage, "mirror") == 0);
 }

@@ -24,19 +24,9 @@ typedef struct Subject {
     Calculation *to;
 } Subject;
 
-/* "p13 = " of a node of a line, "px = " in the plane. */
-typedef struct Label {
-    char text[LABEL_MAX];
-} Label;
-
-static Label label_of(const Mpm *mpm, const char *symbol, int axis, int node, const char *after)
+static CalculationLabel label_of(const Mpm *mpm, const char *form, int axis, int node)
 {
-    Label label = {""};
-    text_append(label.text, sizeof label.text, "%s%s", symbol, mpm->dim == 1 ? "" : axis ? "y" : "x");
-    if (mpm->dim == 1 && node >= 0)
-        text_append(label.text, sizeof label.text, "%d", node);
-    text_append(label.text, sizeof label.text, "%s", after);
-    return label;
+    return calculation_label(mpm->dim, form, axis, node);
 }
 
 static double was(const Subject *subject, const double *now)
@@ -123,7 +113,7 @@ static void write_row(const Subject *subject, RowOf of, int node)
 {
     const Mpm *mpm = subject->mpm;
     const bool forces = of == ROW_OF_ACCELERATION;
-    const Label label = label_of(mpm, forces ? "Σ M a = f" : "Σ M v = p", 0, node, ": ");
+    const CalculationLabel label = label_of(mpm, forces ? "Σ M a = f#: " : "Σ M v = p#: ", 0, node);
     CalculationSum sum = {.label = label.text,
                           .result = forces ? mpm_node_force(mpm, 0, node) : mpm->momentum[0][node]};
     for (int j = node - (mpm->support - 1); j <= node + (mpm->support - 1); j++)
@@ -145,8 +135,12 @@ static void write_series(const Subject *subject, RowOf of, int node)
         if (i >= 0 && i < mpm->n_nodes && mpm_moves(mpm, i))
             term[w] = (of == ROW_OF_ACCELERATION ? mpm_node_force(mpm, 0, i) : mpm->momentum[0][i]) *
                       mpm->inverse[i];
-    const Label label = label_of(mpm, of == ROW_OF_ACCELERATION ? "a" : "v", 0, node,
-                                 order > 1 ? " = d_1 + d_2 ... = " : " = d_1 = ");
+    const bool forces = of == ROW_OF_ACCELERATION;
+    const CalculationLabel label = label_of(mpm,
+                                            order == 1 ? forces ? "a# = d_1 = " : "v# = d_1 = "
+                                            : forces   ? "a# = d_1 + d_2 ... = "
+                                                       : "v# = d_1 + d_2 ... = ",
+                                            0, node);
     CalculationSum sum = {.label = label.text, .result = solved(mpm, of, node)};
     for (int j = 1;; j++) {
         calculation_add(&sum, 1, term[half], 0, 0);
@@ -197,7 +191,7 @@ static void fix_node(const Subject *subject)
     const int i = subject->index;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double *p = &mpm->momentum[axis][i];
-        calculation_write(subject->to, "%s", label_of(mpm, "p", axis, i, "").text);
+        calculation_write(subject->to, "%s", label_of(mpm, "p@#", axis, i).text);
         if (!holds(mpm, axis, i)) {
             calculation_number(subject->to, " = ", *p);
             calculation_write(subject->to, mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis)
@@ -366,13 +360,13 @@ static void velocity_node(const Subject *subject)
     }
     if (mpm_holds_momentum(mpm, OP_STRAIN, i)) {
         const double velocity = mpm->velocity[0][i];
-        write_ratio(subject, label_of(mpm, "it strains by v", 0, i, " = p/m = ").text,
+        write_ratio(subject, label_of(mpm, "it strains by v# = p/m = ", 0, i).text,
                     velocity * mpm->node_mass[i], velocity);
         calculation_write(subject->to, "then p%d → 0: a support holds the node\n", i);
         return;
     }
     for (int axis = 0; axis < mpm->dim; axis++)
-        write_ratio(subject, label_of(mpm, "v", axis, i, " = p/m = ").text, mpm->momentum[axis][i],
+        write_ratio(subject, label_of(mpm, "v@# = p/m = ", axis, i).text, mpm->momentum[axis][i],
                     mpm_node_velocity(mpm, axis, i));
 }
 
@@ -438,8 +432,8 @@ static void write_integrated(const Subject *subject, int node)
         const double force = mpm->bodies ? mpm->force[axis][node] : mpm_node_force(mpm, axis, node);
         const double now = mpm->momentum[axis][node];
         const double before = (now - mpm->dt * force) / (1.0 - mpm->dt * rate);
-        const Label label =
-            label_of(mpm, "p", axis, node, rate > 0.0 ? " = p + Δt (f - α p) = " : " = p + Δt f = ");
+        const CalculationLabel label =
+            label_of(mpm, rate > 0.0 ? "p@# = p + Δt (f - α p) = " : "p@# = p + Δt f = ", axis, node);
         calculation_change(subject->to, label.text, before, mpm->dt, force - rate * before, now, NULL);
     }
 }
@@ -471,9 +465,9 @@ static void update_node(const Subject *subject)
         return;
     }
     for (int axis = 0; axis < mpm->dim; axis++) {
-        calculation_number(subject->to, label_of(mpm, "it gives a", axis, -1, " = ").text,
+        calculation_number(subject->to, label_of(mpm, "it gives a@ = ", axis, i).text,
                            mpm->kick[axis][i] / mpm->dt);
-        calculation_value(subject->to, label_of(mpm, " and v", axis, -1, " = ").text, mpm->carry[axis][i]);
+        calculation_value(subject->to, label_of(mpm, " and v@ = ", axis, i).text, mpm->carry[axis][i]);
     }
 }
 

@@ -288,25 +288,12 @@ static const struct {
                         [BODIES_UNTURNED] = {bodies_unturned, BODIES},
                         [BODIES_NEO] = {bodies_neo, BODIES}};
 
-static void take_unsaid(const char **member, const char *other)
-{
-    if (!*member)
-        *member = other;
-}
-
 static Stage stage_of(Wording wording, MpmOp op)
 {
     Stage stage = wordings[wording].stages[op];
     while (wording != FLIP) {
         wording = wordings[wording].like;
-        const Stage *other = &wordings[wording].stages[op];
-        take_unsaid(&stage.id, other->id);
-        take_unsaid(&stage.name, other->name);
-        take_unsaid(&stage.equation, other->equation);
-        take_unsaid(&stage.source, other->source);
-        take_unsaid(&stage.sentence, other->sentence);
-        take_unsaid(&stage.reads, other->reads);
-        take_unsaid(&stage.writes, other->writes);
+        stage_complete(&stage, &wordings[wording].stages[op]);
     }
     return stage;
 }

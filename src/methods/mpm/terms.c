@@ -15,6 +15,7 @@
  *     dt N_i p_i/m_i                      position                    (15) */
 #include "base/assertion.h"
 #include "base/text.h"
+#include "methods/calculation.h"
 #include "methods/mpm/mistakes.h"
 
 #include <string.h>
@@ -103,16 +104,9 @@ static bool is_there(const Mpm *mpm, const Row *row)
     return there;
 }
 
-/* "f@", "gain_@" of a direction: "fx", "gain_x"; along a line "f", "gain". */
-static void write_form(const char *form, const char *direction, char *out, size_t size)
+static void write_form(const Mpm *mpm, const char *form, int axis, char *out, size_t size)
 {
-    size_t used = 0;
-    for (; form && *form && used + 1 < size; form++)
-        if (*form == '@' && *direction)
-            out[used++] = *direction;
-        else if (*form != '@' && (*direction || strncmp(form, "_@", 2) != 0))
-            out[used++] = *form;
-    out[used] = '\0';
+    text_append(out, size, "%s", calculation_label(mpm->dim, form ? form : "", axis, 0).text);
 }
 
 /* Whether a wrong code adds to what the grid had. */
@@ -130,14 +124,13 @@ void mpm_list_exchanges(Mpm *mpm)
         const char *form = row->field[mpm->dim - 1];
         for (int axis = 0; is_there(mpm, row) && axis < (form && strchr(row->symbol, '@') ? mpm->dim : 1);
              axis++) {
-            const char *direction = mpm->dim == 1 ? "" : axis ? "y" : "x";
             MpmExchange *words = &mpm->terms[count];
             *words = (MpmExchange){.term = row->term, .op = row->op, .axis = axis};
-            write_form(form, direction, words->field, sizeof words->field);
-            write_form(*row->symbol == '@' ? form : row->symbol, direction, words->symbol,
+            write_form(mpm, form, axis, words->field, sizeof words->field);
+            write_form(mpm, *row->symbol == '@' ? form : row->symbol, axis, words->symbol,
                        sizeof words->symbol);
-            write_form(row->factors, direction, words->factors, sizeof words->factors);
-            write_form(row->term == TERM_LOAD ? mpm->force_words.load : row->note, direction, words->note,
+            write_form(mpm, row->factors, axis, words->factors, sizeof words->factors);
+            write_form(mpm, row->term == TERM_LOAD ? mpm->force_words.load : row->note, axis, words->note,
                        sizeof words->note);
             const bool gives = mpm_op_gives(row->op);
             mpm->exchanges[count++] = (Exchange){.stage = stage_ids[row->op],

@@ -36,15 +36,6 @@ static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Pic
                  "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
 }
 
-/* Who is at the other end: beyond a fixed end a mirror image. The longest bonds are summed up first. */
-static void describe_row(const Link *link, size_t node, double spacing, struct TableRow *row)
-{
-    const long place = (long)node + lround(link->apart[0] / spacing);
-    snprintf(row->name, sizeof row->name, place == (long)link->index ? "%zu" : "mirror of %zu", link->index);
-    row->rank = abs((int)lround(link->apart[0] / spacing));
-    row->thing = (PictureThing){0, link->index};
-}
-
 /* What the force of the node is made of, as far as this step has come: into the columns that add, of these
  * fields and with these loads. */
 static void add_totals(const Simulation *sim, size_t node, const char *const *fields, const double *loads,
@@ -75,6 +66,8 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
     const Simulation *sim = screen_simulation(screen);
     const double load = sim->method->load_on(sim, node, 0);
+    double factors[EXCHANGE_FACTORS_MAX];
+    int n;
     table->count = count;
     table->n_columns = COLUMNS;
     table->what = "bond to";
@@ -84,12 +77,15 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
         snprintf(table->columns[c].name, sizeof table->columns[c].name, "%s", names[c]);
     }
     for (size_t i = 0; i < count; i++) {
-        const double *f = links[i].factors;
-        describe_row(&links[i], node, sim->spacing, &table->rows[i]);
-        table->columns[LENGTH].values[i] = links[i].apart[0];
-        table->columns[STRETCH].values[i] = links[i].stretch;
-        table->columns[STIFFNESS].values[i] = f[LINK_C] * f[LINK_G] * f[LINK_W] * f[LINK_V];
-        table->columns[FORCE].values[i] = link_pull(&links[i]) * links[i].direction[0];
+        const Link *link = &links[i];
+        struct TableRow *row = &table->rows[i];
+        snprintf(row->name, sizeof row->name, "%s%zu", link_mirror(link), link->index);
+        row->rank = abs((int)lround(link->apart[0] / sim->spacing)); /* the longest are summed up first */
+        row->thing = (PictureThing){0, link->index};
+        table->columns[LENGTH].values[i] = link->apart[0];
+        table->columns[STRETCH].values[i] = link->stretch;
+        table->columns[STIFFNESS].values[i] = link->stiffness;
+        table->columns[FORCE].values[i] = simulation_exchange(sim, 0, node, link, factors, &n);
     }
     add_totals(sim, node, (const char *const[]){"force"}, &load, table);
     table->columns[FORCE].style =
@@ -292,6 +288,8 @@ static void describe_forces(const Family *family, PictureTable *table)
     const Simulation *sim = family->sim;
     const double loads[] = {sim->method->load_on(sim, family->node, 0),
                             sim->method->load_on(sim, family->node, 1)};
+    double factors[EXCHANGE_FACTORS_MAX];
+    int n;
     table->what = "forces on it, N/m³";
     table->count = sizeof sides / sizeof *sides;
     table->n_columns = 2;
@@ -303,7 +301,7 @@ static void describe_forces(const Family *family, PictureTable *table)
         snprintf(column->name, sizeof column->name, "%s", names[d]);
         for (const Link *link = family->links; link < family->links + family->count; link++)
             column->values[1 + (link->apart[0] > 0) - (link->apart[0] < 0)] +=
-                link_pull(link) * link->direction[d];
+                simulation_exchange(sim, d, family->node, link, factors, &n);
     }
     add_totals(family->sim, family->node, names, loads, table);
 }

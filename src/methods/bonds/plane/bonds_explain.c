@@ -9,30 +9,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Velocity Verlet (paper P, eqs. 9 to 11), with the fields that it reads and writes. */
-#define VERLET_HALF_KICK(fields_read, fields_written)                                                        \
-    {                                                                                                        \
-        "half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",                           \
-            "The force of the last step changes the velocity of each node over half a step.", fields_read,   \
-            fields_written                                                                                   \
-    }
-
-#define VERLET_DRIFT(fields_read, fields_written)                                                            \
-    {                                                                                                        \
-        "drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",                                             \
-            "Each node moves with its half-step velocity.", fields_read, fields_written                      \
-    }
-
-#define VERLET_SECOND_KICK(says, fields_read, fields_written)                                                \
-    {                                                                                                        \
-        "second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)", "eq. 11", says, fields_read,     \
-            fields_written                                                                                   \
-    }
-
-/* Of beams on supports. */
+/* Velocity Verlet (paper P, eqs. 9 to 11) of beams on supports. */
 static const Stage stage_table[N_STAGES] = {
-    [STAGE_HALF_KICK] = VERLET_HALF_KICK("vx vy fx fy", "vx vy"),
-    [STAGE_DRIFT] = VERLET_DRIFT("ux uy vx vy", "ux uy"),
+    [STAGE_HALF_KICK] = {"half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",
+                         "The force of the last step changes the velocity of each node over half a step.",
+                         "vx vy fx fy", "vx vy"},
+    [STAGE_DRIFT] = {"drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",
+                     "Each node moves with its half-step velocity.", "ux uy vx vy", "ux uy"},
     [STAGE_CONSTRAINTS] = {"constraints", "supports", "uy = 0 at the supports, ux = 0 at the left one",
                            "eqs. 12, 13", "Supported nodes stay where they are.", "ux uy vx vy held",
                            "ux uy vx vy"},
@@ -45,50 +28,51 @@ static const Stage stage_table[N_STAGES] = {
                      "ux uy", "fx fy stretch broken broken_at"},
     [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, "eq. 8", NULL, "loaded fy",
                           "fy"}, /* by its terms */
-    [STAGE_SECOND_KICK] =
-        VERLET_SECOND_KICK("The new force completes the velocity of the step; supports hold again.",
-                           "vx vy fx fy held", "vx vy"),
+    [STAGE_SECOND_KICK] = {"second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)", "eq. 11",
+                           "The new force completes the velocity of the step; supports hold again.",
+                           "vx vy fx fy held", "vx vy"},
     [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "eqs. 5, 6",
                       "The damage of a node is the fraction of its bonds that are broken.", "broken",
                       "damage"},
 };
 
-/* Of a bar; nothing of it breaks. */
-static const Stage line_stages[STAGE_DAMAGE] = {
-    [STAGE_HALF_KICK] = VERLET_HALF_KICK("v force acceleration", "v"),
-    [STAGE_DRIFT] = VERLET_DRIFT("u v", "u x"),
+/* What differs of a bar; nothing of it breaks. */
+static const Stage line_stages[N_STAGES] = {
+    [STAGE_HALF_KICK] = {.reads = "v force acceleration", .writes = "v"},
+    [STAGE_DRIFT] = {.reads = "u v", .writes = "u x"},
     [STAGE_CONSTRAINTS] =
         {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0", "odd reflection",
          "Beyond a fixed end lies a mirror image of the bar; beyond a free end there is nothing.", "u", "u"},
-    [STAGE_BONDS] = {"bonds", "bond forces",
-                     "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
-                     "f(i) = Σ c G w s V sign(ξ+η)",
-                     "eqs. 2, 3, 8",
-                     "The force of a bond is in proportion to its stretch; the force on a node is the sum "
-                     "over its family.",
-                     "u family surface_factor", "force stress strain density strain_energy"},
-    [STAGE_BODY_FORCE] = {"load", "loads", NULL, "eq. 8", NULL, "load force", "force"}, /* by its terms */
-    [STAGE_SECOND_KICK] =
-        VERLET_SECOND_KICK("The new force completes the velocity of the step.", "v force acceleration", "v"),
+    [STAGE_BONDS] = {.equation = "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
+                                 "f(i) = Σ c G w s V sign(ξ+η)",
+                     .source = "eqs. 2, 3, 8",
+                     .sentence = "The force of a bond is in proportion to its stretch; the force on a node "
+                                 "is the sum over its family.",
+                     .reads = "u family surface_factor",
+                     .writes = "force stress strain density strain_energy"},
+    [STAGE_BODY_FORCE] = {.id = "load", .name = "loads", .reads = "load force", .writes = "force"},
+    [STAGE_SECOND_KICK] = {.sentence = "The new force completes the velocity of the step.",
+                           .reads = "v force acceleration",
+                           .writes = "v"},
 };
 
 /* The kicks of the steppings other than velocity Verlet, before the drift and after it. */
-typedef struct KickWords {
-    const char *equation, *sentence;
-} KickWords;
-static const KickWords no_kick = {"nothing", "One kick a step is enough."};
-static const KickWords kick_words[][2] = {
-    [STEPPING_EULER] = {{"v(n+1) = v(n) + Δt a(n),   a = f/ρ",
-                         "The force of the last step gives every node its new velocity."}},
-    [STEPPING_EULER_POSITION] = {{NULL, NULL},
-                                 {"v(n+1) = v(n) + Δt a(n+1)",
-                                  "The new force gives every node its new velocity."}},
-    [STEPPING_LEAPFROG] = {{"v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
-                            "The force of the last step carries the velocity from half step to half step."}},
-    [STEPPING_LEAPFROG_AHEAD] = {{"in step 1 alone: v(½) = v(0) + Δt/2 a(0)",
-                                  "Before the first step a half kick sets the velocity half a step ahead."},
-                                 {"v(n+3/2) = v(n+½) + Δt a(n+1)",
-                                  "The new force carries the velocity from half step to half step."}},
+#define KICK(formula, says) .source = "in words", .equation = formula, .sentence = says
+static const Stage no_kick = {KICK("nothing", "One kick a step is enough.")};
+static const Stage kicks[][2] = {
+    [STEPPING_EULER] = {{KICK("v(n+1) = v(n) + Δt a(n),   a = f/ρ",
+                              "The force of the last step gives every node its new velocity.")}},
+    [STEPPING_EULER_POSITION] = {{NULL},
+                                 {KICK("v(n+1) = v(n) + Δt a(n+1)",
+                                       "The new force gives every node its new velocity.")}},
+    [STEPPING_LEAPFROG] = {{KICK(
+        "v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
+        "The force of the last step carries the velocity from half step to half step.")}},
+    [STEPPING_LEAPFROG_AHEAD] =
+        {{KICK("in step 1 alone: v(½) = v(0) + Δt/2 a(0)",
+               "Before the first step a half kick sets the velocity half a step ahead.")},
+         {KICK("v(n+3/2) = v(n+½) + Δt a(n+1)",
+               "The new force carries the velocity from half step to half step.")}},
 };
 
 /* What bonds give their ends, along a line and in the plane. */
@@ -99,71 +83,71 @@ static const KickWords kick_words[][2] = {
 static const Exchange exchange_table[] = {BONDS_GIVE("force", "p n"), BONDS_GIVE("fx", "p nx"),
                                           BONDS_GIVE("fy", "p ny")};
 
-/* NULL: as it is. */
-static void reword(Stage *stage, const char *equation, const char *source, const char *sentence)
+/* What is not said stays as it is. */
+static void reword(Stage *stage, Stage words)
 {
-    stage->equation = equation ? equation : stage->equation;
-    stage->source = source ? source : stage->source;
-    stage->sentence = sentence ? sentence : stage->sentence;
+    stage_complete(&words, stage);
+    *stage = words;
 }
 
 static void word_kicks(Stage *stages, Stepping stepping)
 {
     for (int k = 0; k < 2 && stepping != STEPPING_VERLET; k++) {
         Stage *stage = &stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
-        const KickWords *words = kick_words[stepping][k].equation ? &kick_words[stepping][k] : &no_kick;
         stage->name = k == 0 ? "first kick" : "second kick";
-        reword(stage, words->equation, "in words", words->sentence);
+        reword(stage, kicks[stepping][k].equation ? kicks[stepping][k] : no_kick);
     }
     if (stepping != STEPPING_VERLET)
-        reword(&stages[STAGE_DRIFT], "u(n+1) = u(n) + Δt v", NULL,
-               "Each node moves with its present velocity.");
-}
-
-static void word_mistake(Stage *stages, const BondsMistake *mistake)
-{
-    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++)
-        reword(&stages[mistake->lines[k].stage], mistake->lines[k].equation, mistake->id, mistake->sentence);
+        reword(&stages[STAGE_DRIFT], (Stage){.equation = "u(n+1) = u(n) + Δt v",
+                                             .sentence = "Each node moves with its present velocity."});
 }
 
 void beam_set_stages(Beam *beam)
 {
-    if (beam->lattice.line)
-        memcpy(beam->stages, line_stages, sizeof line_stages);
-    else
-        memcpy(beam->stages, stage_table, sizeof stage_table);
-    Stage *const first = &beam->stages[STAGE_HALF_KICK], *const second = &beam->stages[STAGE_SECOND_KICK],
-                 *const constraints = &beam->stages[STAGE_CONSTRAINTS],
-                 *const force = &beam->stages[STAGE_BODY_FORCE];
+    Stage *const stages = beam->stages, *const force = &stages[STAGE_BODY_FORCE],
+                 *const constraints = &stages[STAGE_CONSTRAINTS];
     const bool moving = beam->def.problem == BEAM_MOVING_CANTILEVER;
+    for (int k = 0; k < N_STAGES; k++) {
+        stages[k] = beam->lattice.line ? line_stages[k] : (Stage){NULL};
+        stage_complete(&stages[k], &stage_table[k]);
+    }
     if (moving) {
-        constraints->name = "clamp";
-        reword(constraints, "in the channel uy = 0, with a full clamp ux = v0t", "in words",
-               "The channel guides the nodes inside it.");
-        second->sentence = "The new force completes the step's velocity; the clamp holds again.";
+        reword(constraints, (Stage){.name = "clamp",
+                                    .equation = "in the channel uy = 0, with a full clamp ux = v0t",
+                                    .source = "in words",
+                                    .sentence = "The channel guides the nodes inside it."});
+        stages[STAGE_SECOND_KICK].sentence =
+            "The new force completes the step's velocity; the clamp holds again.";
     }
     if (beam->def.problem == BEAM_NOTCHED)
-        reword(constraints, beam->def.pinned ? NULL : "uy = 0 at the supports, ux is free", "in words", NULL);
+        reword(constraints,
+               (Stage){.equation = beam->def.pinned ? NULL : "uy = 0 at the supports, ux is free",
+                       .source = "in words"});
     if (beam->def.problem == BEAM_PLATE) {
-        reword(constraints, "v = V in the directions that a support gives; V = 0 holds", "in words",
-               "Supports keep their velocity, whatever the bonds pull.");
-        force->reads = "loaded fx fy";
-        force->writes = "fx fy";
+        reword(constraints, (Stage){.equation = "v = V in the directions that a support gives; V = 0 holds",
+                                    .source = "in words",
+                                    .sentence = "Supports keep their velocity, whatever the bonds pull."});
+        reword(force, (Stage){.reads = "loaded fx fy", .writes = "fx fy"});
     }
     if (beam->damping > 0) {
-        reword(first, "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ", NULL,
-               moving
-                   ? "The last force adds half a step's worth of velocity, and damping takes its share: of "
-                     "vx what differs from v0."
-                   : "The last force adds half a step's worth of velocity, and damping takes its share.");
-        second->equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
+        reword(&stages[STAGE_HALF_KICK],
+               (Stage){.equation = "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ",
+                       .sentence = moving ? "The last force adds half a step's worth of velocity, and "
+                                            "damping takes its share: of vx what differs from v0."
+                                          : "The last force adds half a step's worth of velocity, and "
+                                            "damping takes its share."});
+        stages[STAGE_SECOND_KICK].equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
     }
-    word_kicks(beam->stages, beam->def.stepping);
+    word_kicks(stages, beam->def.stepping);
     if (beam->n_loads == 0 && !beam->lattice.line)
         force->reads = "fy";
     const ForceTerms forces = beam_terms(beam);
     forces_word_stage(&forces, &beam->force_words, force);
-    word_mistake(beam->stages, beam->def.conceals_mistake ? NULL : bonds_mistake(beam));
+    const BondsMistake *mistake = beam->def.conceals_mistake ? NULL : bonds_mistake(beam);
+    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++)
+        reword(&stages[mistake->lines[k].stage], (Stage){.equation = mistake->lines[k].equation,
+                                                         .source = mistake->id,
+                                                         .sentence = mistake->sentence});
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = beam->lattice.line ? STAGE_DAMAGE : N_STAGES;
     beam->sim.exchanges = beam->exchanges;
@@ -174,277 +158,275 @@ void beam_set_stages(Beam *beam)
     }
 }
 
-/* A node, now and before the stage. */
-typedef struct NodeNow {
-    double u[2], v[2], f[2];
-} NodeNow;
+/* What a stage is explained for, with its family: the bonds that are whole before the others, the strongest
+ * first. */
+typedef struct Subject {
+    const Beam *beam;
+    const void *before; /* the state before the stage; NULL: not known */
+    size_t index, at;   /* the node, and where it is in a padded array */
+    Link family[FAMILY_MAX];
+    size_t n, whole, cut; /* bonds, those that carry something, those that the notch cut */
+    Calculation *to;
+} Subject;
 
-/* Its six numbers of the state, six arrays one behind the other; `before` as in the saved state, or NULL. */
-static NodeNow node_at(const Beam *beam, size_t index, const void *before)
+/* Six numbers of the state, six arrays one behind the other: ux, uy, vx, vy, fx, fy. */
+enum { OF_U, OF_V = 2, OF_F = 4 };
+
+static double now(const Subject *subject, int what)
 {
-    const Lattice *lattice = &beam->lattice;
-    const size_t at = lattice_at(lattice, lattice_column(lattice, index), lattice_row(lattice, index));
-    NodeNow node;
-    double *const values[3] = {node.u, node.v, node.f};
-    for (size_t k = 0; k < 6; k++) {
-        const double *now = beam->nodes.ux + k * beam->array + at;
-        values[k / 2][k % 2] = before ? calculation_before(beam->state, now, before) : *now;
-    }
-    return node;
+    return subject->beam->nodes.ux[(size_t)what * subject->beam->array + subject->at];
 }
 
-/* A form of words in a direction: of "v@" vx, vy or, along a bar, v. */
-typedef struct Label {
-    char text[120];
-} Label;
-
-static Label label(const Beam *beam, const char *form, int axis)
+static double was(const Subject *subject, int what)
 {
-    Label out = {""};
-    for (size_t used = 0; *form && used + 1 < sizeof out.text; form++)
-        if (*form != '@')
-            out.text[used++] = *form;
-        else if (!beam->lattice.line)
-            out.text[used++] = axis ? 'y' : 'x';
-    return out;
+    const Beam *beam = subject->beam;
+    return calculation_before(beam->state, &beam->nodes.ux[(size_t)what * beam->array + subject->at],
+                              subject->before);
 }
 
 /* The units of a bar are anybody's. */
-static const char *unit_of(const Beam *beam, const char *unit)
+static const char *unit_of(const Subject *subject, const char *unit)
 {
-    return beam->lattice.line ? NULL : unit;
+    return subject->beam->lattice.line ? NULL : unit;
+}
+
+static CalculationLabel label_of(const Subject *subject, const char *form, int axis)
+{
+    return calculation_label(subject->beam->sim.dimensions, form, axis, 0);
 }
 
 /* "vx = 0.1 + 2e-11 × 5 = 0.2 m/s" */
-static void write_change(const Beam *beam, Calculation *calculation, Label label, double was, double factor,
-                         double rate, double now, const char *unit)
+static void write_change(const Subject *subject, const char *form, int what, int axis, double factor,
+                         double rate, const char *unit)
 {
-    if (fabs(was + factor * rate - now) > 1e-9 * fmax(fabs(was), fabs(factor * rate))) {
-        calculation_number(calculation, label.text, now);
-        calculation_write(calculation, "%s%s: the node is held\n", beam->lattice.line ? "" : " ",
-                          beam->lattice.line ? "" : unit);
+    const CalculationLabel label = label_of(subject, form, axis);
+    const double old = was(subject, what + axis), new = now(subject, what + axis);
+    if (fabs(old + factor * rate - new) > 1e-9 * fmax(fabs(old), fabs(factor * rate))) {
+        calculation_number(subject->to, label.text, new);
+        unit = unit_of(subject, unit);
+        calculation_write(subject->to, "%s%s: the node is held\n", unit ? " " : "", unit ? unit : "");
         return;
     }
-    calculation_change(calculation, label.text, was, factor, rate, now, unit_of(beam, unit));
+    calculation_change(subject->to, label.text, old, factor, rate, new, unit_of(subject, unit));
 }
 
 /* "vx, vy = 0.1, 0.2 m/s", along a bar "v = 0.1". */
-static void write_vector(const Beam *beam, Calculation *calculation, const char *words, const char *along,
-                         const double value[2], const char *unit)
+static void write_vector(const Subject *subject, const char *words, const char *along, int what,
+                         const char *unit)
 {
-    if (beam->lattice.line) {
-        calculation_value(calculation, along, value[0]);
+    if (subject->beam->lattice.line) {
+        calculation_value(subject->to, along, now(subject, what));
         return;
     }
-    calculation_number(calculation, words, value[0]);
-    calculation_number(calculation, ", ", value[1]);
-    calculation_write(calculation, " %s\n", unit);
+    calculation_number(subject->to, words, now(subject, what));
+    calculation_number(subject->to, ", ", now(subject, what + 1));
+    calculation_write(subject->to, " %s\n", unit);
 }
 
 /* Eqs. 9 and 11, each half of a step, or a whole kick: v = v + dt/(2 rho) f, from the velocity before the
  * stage. With damping both halves as v = v + h (f/rho - alpha v): h = dt/2 in the first, that over 1 + alpha
  * dt/2 in the second. */
-static void explain_kick(const Beam *beam, Calculation *calculation, bool second, const NodeNow *now,
-                         const NodeNow *was)
+static void explain_kick(const Subject *subject, bool second)
 {
+    const Beam *beam = subject->beam;
     const double share = bonds_kick_share(beam->def.stepping, bonds_mistake(beam), second, beam->sim.step);
     const double density = beam->def.density, half = beam->sim.dt / 2, alpha = beam->damping;
     if (share == 0)
-        write_vector(beam, calculation, "vx, vy stay ", "v stays ", now->v, "m/s");
-    else if (!was)
-        write_vector(beam, calculation, "vx, vy = ", "v = ", now->v, "m/s");
-    for (int d = 0; share != 0 && was && d < beam->sim.dimensions; d++) {
+        write_vector(subject, "vx, vy stay ", "v stays ", OF_V, "m/s");
+    else if (!subject->before)
+        write_vector(subject, "vx, vy = ", "v = ", OF_V, "m/s");
+    for (int d = 0; share != 0 && subject->before && d < beam->sim.dimensions; d++) {
         const bool moving = d == 0 && beam->def.problem == BEAM_MOVING_CANTILEVER;
         const char *form = share == 1 ? "v@ = v@ + Δt/ρ f@ = " : "v@ = v@ + Δt/(2ρ) f@ = ";
-        double factor = share * beam->sim.dt / density, rate = was->f[d];
+        double factor = share * beam->sim.dt / density, rate = was(subject, OF_F + d);
         if (alpha > 0) {
             factor = second ? half / (1 + alpha * half) : half;
-            rate = was->f[d] / density - alpha * (was->v[d] - (moving ? beam->def.speed : 0));
+            rate = rate / density - alpha * (was(subject, OF_V + d) - (moving ? beam->def.speed : 0));
             form = moving   ? second ? "v@ = v@ + Δt/2/(1 + α Δt/2) (f@/ρ − α (v@ − v0)) = "
                                      : "v@ = v@ + Δt/2 (f@/ρ − α (v@ − v0)) = "
                    : second ? "v@ = v@ + Δt/2/(1 + α Δt/2) (f@/ρ − α v@) = "
                             : "v@ = v@ + Δt/2 (f@/ρ − α v@) = ";
         }
-        write_change(beam, calculation, label(beam, form, d), was->v[d], factor, rate, now->v[d], "m/s");
+        write_change(subject, form, OF_V, d, factor, rate, "m/s");
     }
 }
 
 /* Eq. 10: u = u + dt v. */
-static void explain_drift(const Beam *beam, Calculation *calculation, const NodeNow *now, const NodeNow *was)
+static void explain_drift(const Subject *subject)
 {
+    const Beam *beam = subject->beam;
+    const double dt = beam->sim.dt;
     const bool twice = bonds_does(beam, BONDS_WRONG_DRIFTS_TWICE),
                late = bonds_does(beam, BONDS_WRONG_KICKS_LATE);
-    const double dt = twice ? 2 * beam->sim.dt : beam->sim.dt, kick = beam->sim.dt / beam->def.density;
-    if (!was)
-        write_vector(beam, calculation, "ux, uy = ", "u = ", now->u, "m");
-    for (int d = 0; was && d < beam->sim.dimensions; d++)
-        write_change(beam, calculation, label(beam, twice ? "u@ = u@ + 2 Δt v@ = " : "u@ = u@ + Δt v@ = ", d),
-                     was->u[d], dt, was->v[d], now->u[d], "m");
-    for (int d = 0; was && late && d < beam->sim.dimensions; d++)
-        write_change(beam, calculation, label(beam, "v@ = v@ + Δt/ρ f@ = ", d), was->v[d], kick, was->f[d],
-                     now->v[d], "m/s");
+    if (!subject->before)
+        write_vector(subject, "ux, uy = ", "u = ", OF_U, "m");
+    for (int d = 0; subject->before && d < beam->sim.dimensions; d++)
+        write_change(subject, twice ? "u@ = u@ + 2 Δt v@ = " : "u@ = u@ + Δt v@ = ", OF_U, d,
+                     twice ? 2 * dt : dt, was(subject, OF_V + d), "m");
+    for (int d = 0; subject->before && late && d < beam->sim.dimensions; d++)
+        write_change(subject, "v@ = v@ + Δt/ρ f@ = ", OF_V, d, dt / beam->def.density, was(subject, OF_F + d),
+                     "m/s");
 }
 
 /* At a bar's fixed ends: where the image of a node lies, and how it moves. */
-static void explain_mirror(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
+static void explain_mirror(const Subject *subject)
 {
+    const Beam *beam = subject->beam;
     const Lattice *lattice = &beam->lattice;
-    const size_t nodes = lattice_nodes(lattice), from_end[2] = {index, nodes - 1 - index};
-    const double place = lattice_x(lattice, lattice_column(lattice, index));
+    const size_t from_end[2] = {subject->index, lattice_nodes(lattice) - 1 - subject->index};
+    const double place = lattice_x(lattice, lattice_column(lattice, subject->index));
     bool any = false;
     for (int side = 0; side < 2; side++)
         if (from_end[side] < (size_t)lattice->images[side]) {
-            calculation_number(calculation,
+            calculation_number(subject->to,
                                "the mirror image at X = ", side ? 2 * beam->def.length - place : -place);
-            calculation_value(calculation, " moves by ", -now->u[0]);
+            calculation_value(subject->to, " moves by ", -now(subject, OF_U));
             any = true;
         }
     if (!any)
-        calculation_write(calculation,
+        calculation_write(subject->to,
                           "no fixed end within the horizon: this node has no mirror image that matters\n");
 }
 
 /* Eqs. 12, 13, or the channel: which components are given, at the time that the step ends. */
-static void explain_constraints(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
+static void explain_constraints(const Subject *subject)
 {
-    const int i = lattice_column(&beam->lattice, index), j = lattice_row(&beam->lattice, index);
-    if (beam->lattice.line) {
-        explain_mirror(beam, calculation, index, now);
-        return;
-    }
+    const Beam *beam = subject->beam;
+    const int i = lattice_column(&beam->lattice, subject->index),
+              j = lattice_row(&beam->lattice, subject->index);
     if (i < beam_held_columns(beam, (double)(beam->sim.step + 1) * beam->sim.dt)) {
-        calculation_number(calculation,
+        calculation_number(subject->to,
                            beam->def.clamp == CLAMP_FULL ? "in the channel: uy = 0, ux = v0 t = "
                                                          : "in the channel: uy = 0, free to slide: ux = ",
-                           now->u[0]);
-        calculation_write(calculation, " m\n");
+                           now(subject, OF_U));
+        calculation_write(subject->to, " m\n");
         return;
     }
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
         if (patch_has(&s->patch, i, j)) {
             if (s->vx != 0 || s->vy != 0)
-                write_vector(beam, calculation, "moved by a support: vx, vy = ", NULL, now->v, "m/s");
+                write_vector(subject, "moved by a support: vx, vy = ", NULL, OF_V, "m/s");
             else
-                calculation_write(calculation, "at a support: %s\n",
+                calculation_write(subject->to, "at a support: %s\n",
                                   s->x && s->y ? "ux = uy = 0"
                                   : s->x       ? "ux = 0"
                                                : "uy = 0");
             return;
         }
-    calculation_write(calculation, "free: nothing holds this node\n");
+    calculation_write(subject->to, "free: nothing holds this node\n");
 }
 
-/* How many bonds of a family are broken, and how many of these the notch cut. */
-static void write_lost(const Beam *beam, Calculation *calculation, const Link *family, size_t n)
+/* How many bonds of a family are broken, and how many the notch cut. */
+static void write_lost(const Subject *subject)
 {
-    size_t broken = 0, cut = 0;
-    for (const Link *link = family; link < family + n; link++) {
-        broken += link->broken && link->broken_at > 0;
-        cut += link->broken && link->broken_at == 0;
-    }
-    calculation_write(calculation, "%zu of %zu bonds broken", broken, n);
-    if (cut > 0)
-        calculation_write(calculation, ", %zu cut%s", cut,
-                          beam->def.problem == BEAM_NOTCHED ? " by the notch" : " from the start");
-    calculation_write(calculation, "; ");
+    calculation_write(subject->to, "%zu of %zu bonds broken", subject->n - subject->whole - subject->cut,
+                      subject->n);
+    if (subject->cut > 0)
+        calculation_write(subject->to, ", %zu cut%s", subject->cut,
+                          subject->beam->def.problem == BEAM_NOTCHED ? " by the notch" : " from the start");
+    calculation_write(subject->to, "; ");
 }
 
 /* The pull of the strongest bond, and the sums of the table of exchanges. */
-static void explain_bonds(const Beam *beam, Calculation *calculation, Link *family, size_t n, size_t index)
+static void explain_bonds(const Subject *subject)
 {
-    const Simulation *sim = &beam->sim;
-    const char *pull = strchr(sim->exchanges[0].note, '=') + 2;
-    size_t whole = 0;
-    simulation_sort_links(family, n);
-    while (whole < n && !family[whole].broken)
-        whole++;
-    if (!beam->lattice.line)
-        write_lost(beam, calculation, family, n);
-    if (whole > 0) {
+    const Simulation *sim = &subject->beam->sim;
+    const Link *strongest = subject->family;
+    if (!subject->beam->lattice.line)
+        write_lost(subject);
+    if (subject->whole > 0) {
         char words[64];
-        snprintf(words, sizeof words, "to %s%zu: %s = ", family->mirrored ? "the mirror of " : "",
-                 family->index, pull);
-        CalculationSum sum = {.label = words, .result = link_pull(family)};
-        calculation_add(&sum, 2, family->stiffness, family->stretch, 0);
-        calculation_sum(calculation, &sum);
+        snprintf(words, sizeof words, "to %s%zu: %s = ", link_mirror(strongest), strongest->index,
+                 strchr(sim->exchanges[0].note, '=') + 2);
+        CalculationSum sum = {.label = words, .result = link_pull(strongest)};
+        calculation_add(&sum, 2, strongest->stiffness, strongest->stretch, 0);
+        calculation_sum(subject->to, &sum);
     }
     for (int d = 0; d < sim->n_exchanges; d++) {
-        const Label words = label(beam, "f@ = ", d);
-        CalculationSum sum = {.label = words.text, .unit = unit_of(beam, "N/m³")};
-        calculation_exchange(calculation, &sum, sim, d, index, family, whole);
+        const CalculationLabel words = label_of(subject, "f@ = ", d);
+        CalculationSum sum = {.label = words.text, .unit = unit_of(subject, "N/m³")};
+        calculation_exchange(subject->to, &sum, sim, d, subject->index, subject->family, subject->whole);
     }
 }
 
 /* The terms of eq. 8's b that act on the node; what the bonds had left in f is solved for. */
-static void explain_body_force(const Beam *beam, Calculation *calculation, size_t index, const NodeNow *now)
+static void explain_body_force(const Subject *subject)
 {
-    const ForceTerms forces = beam_terms(beam);
+    const Simulation *sim = &subject->beam->sim;
+    const ForceTerms forces = beam_terms(subject->beam);
     bool loaded = false;
-    for (int d = 0; d < beam->sim.dimensions; d++) {
-        const Label words = label(beam, "f@ = f@ + b = ", d);
+    for (int d = 0; d < sim->dimensions; d++) {
+        const CalculationLabel words = label_of(subject, "f@ = f@ + b = ", d);
+        const double force = now(subject, OF_F + d);
         CalculationSum sum = {.label = words.text,
                               .has_base = true,
-                              .base = now->f[d] - forces_on(&forces, &beam->sim, index, d),
-                              .result = now->f[d],
-                              .unit = unit_of(beam, "N/m³")};
+                              .base = force - forces_on(&forces, sim, subject->index, d),
+                              .result = force,
+                              .unit = unit_of(subject, "N/m³")};
         for (int k = 0; k < forces.count; k++) {
-            const double force = forces.terms[k]->on(&beam->sim, index, d, forces.terms[k]->context);
-            if (force != 0)
-                calculation_add(&sum, 1, force, 0, 0);
+            const double term = forces.terms[k]->on(sim, subject->index, d, forces.terms[k]->context);
+            if (term != 0)
+                calculation_add(&sum, 1, term, 0, 0);
         }
         if (sum.count > 0)
-            calculation_sum(calculation, &sum);
+            calculation_sum(subject->to, &sum);
         loaded = loaded || sum.count > 0;
     }
     if (!loaded)
-        write_vector(beam, calculation, "no load on this node: f stays ", "no load on this node: f stays ",
-                     now->f, "N/m³");
+        write_vector(subject, "no load on this node: f stays ", "no load on this node: f stays ", OF_F,
+                     "N/m³");
 }
 
 /* Eq. 5 by weights w, all areas being equal: broken over all. */
-static void explain_damage(const Beam *beam, Calculation *calculation, const Link *family, size_t n,
-                           size_t index)
+static void explain_damage(const Subject *subject)
 {
     double broken;
-    const double all = beam_family_weight(beam, index, LONG_MAX, &broken);
-    write_lost(beam, calculation, family, n);
-    calculation_number(calculation, "in weights ", broken);
-    calculation_value(calculation, " of ", all);
-    CalculationSum sum = {.label = "φ = ", .result = beam->damage[index]};
+    const double all = beam_family_weight(subject->beam, subject->index, LONG_MAX, &broken);
+    write_lost(subject);
+    calculation_number(subject->to, "in weights ", broken);
+    calculation_value(subject->to, " of ", all);
+    CalculationSum sum = {.label = "φ = ", .result = subject->beam->damage[subject->index]};
     calculation_add(&sum, 1, broken, 0, 0)->divisor = all;
-    calculation_sum(calculation, &sum);
+    calculation_sum(subject->to, &sum);
 }
 
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size)
 {
     ASSERT_INDEX(stage, N_STAGES);
-    ASSERT_INDEX(index, sim->counts[set]);
     const Beam *beam = (const Beam *)sim;
+    const Lattice *lattice = &beam->lattice;
     Calculation text;
     calculation_open(&text, out, size, terms);
-    Link family[FAMILY_MAX];
-    const size_t n = beam_links(sim, set, index, family, FAMILY_MAX);
-    const NodeNow now = node_at(beam, index, NULL), earlier = node_at(beam, index, before);
-    const NodeNow *was = before ? &earlier : NULL;
+    Subject subject = {.beam = beam,
+                       .before = before,
+                       .index = index,
+                       .at = lattice_at(lattice, lattice_column(lattice, index), lattice_row(lattice, index)),
+                       .to = &text};
+    subject.n = beam_links(sim, set, index, subject.family, FAMILY_MAX);
+    simulation_sort_links(subject.family, subject.n);
+    for (const Link *link = subject.family; link < subject.family + subject.n; link++) {
+        subject.whole += !link->broken;
+        subject.cut += link->broken && link->broken_at == 0;
+    }
     switch (stage) {
     case STAGE_HALF_KICK:
     case STAGE_SECOND_KICK:
-        explain_kick(beam, &text, stage == STAGE_SECOND_KICK, &now, was);
+        explain_kick(&subject, stage == STAGE_SECOND_KICK);
         break;
     case STAGE_DRIFT:
-        explain_drift(beam, &text, &now, was);
+        explain_drift(&subject);
         break;
     case STAGE_CONSTRAINTS:
-        explain_constraints(beam, &text, index, &now);
+        (lattice->line ? explain_mirror : explain_constraints)(&subject);
         break;
     case STAGE_BONDS:
-        explain_bonds(beam, &text, family, n, index);
+        explain_bonds(&subject);
         break;
     case STAGE_BODY_FORCE:
-        explain_body_force(beam, &text, index, &now);
+        explain_body_force(&subject);
         break;
     default:
-        explain_damage(beam, &text, family, n, index);
+        explain_damage(&subject);
     }
 }
