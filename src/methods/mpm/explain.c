@@ -513,7 +513,7 @@ static void strain_particle(const Subject *subject)
         const double rate = line || k == 2 ? e[k] : e[k] + mpm->def.poisson * e[1 - k];
         const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->D11;
         CalculationSum newest = {.label = line ? "σ = E Δε = " : only_newest[k], .result = *stress};
-        if (mpm->bodies || mpm->turn != 0 || !mpm_has_done(mpm, OP_STRAIN))
+        if (mpm->bodies || (!line && mpm->turn != 0) || !mpm_has_done(mpm, OP_STRAIN))
             write_change(subject, names[k], stress);
         else if (mpm_does(mpm, WRONG_ONLY_NEWEST)) {
             calculation_add(&newest, 2, factor, rate, 0);
