@@ -116,7 +116,7 @@ void experiment_drop_unpinned(Experiment *);
 bool experiment_has_curve(const Experiment *);
 
 /* Whether a pinned ghost shows all that this run would leave behind. */
-bool experiment_is_pinned(const Experiment *);
+bool experiment_is_pinned(Experiment *);
 
 /* Legends show what differs from the run that is on screen now. */
 void experiment_write_legends(Experiment *);

@@ -85,15 +85,19 @@ bool experiment_has_curve(const Experiment *experiment)
            !(experiment->pending && experiment->newest < experiment->goal_step);
 }
 
-bool experiment_is_pinned(const Experiment *experiment)
+/* The pinned ghost of the same settings; NULL: there is none. */
+static Ghost *pinned(Experiment *experiment)
 {
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        const Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used && ghost->pinned && settings_same(ghost->settings, &experiment->base) &&
-            ghost->record.count >= experiment->record.count)
-            return true;
-    }
-    return false;
+    for (Ghost *ghost = experiment->ghosts; ghost < experiment->ghosts + GHOSTS_MAX; ghost++)
+        if (ghost->used && ghost->pinned && settings_same(ghost->settings, &experiment->base))
+            return ghost;
+    return NULL;
+}
+
+bool experiment_is_pinned(Experiment *experiment)
+{
+    const Ghost *ghost = pinned(experiment);
+    return ghost && ghost->record.count >= experiment->record.count;
 }
 
 void experiment_drop_unpinned(Experiment *experiment)
@@ -105,12 +109,9 @@ void experiment_drop_unpinned(Experiment *experiment)
 
 bool experiment_pin(Experiment *experiment, Status *status)
 {
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        Ghost *ghost = &experiment->ghosts[i];
-        if (ghost->used && ghost->pinned && settings_same(ghost->settings, &experiment->base)) {
-            experiment_drop_ghost(ghost);
-            return true;
-        }
+    if (pinned(experiment)) {
+        experiment_drop_ghost(pinned(experiment));
+        return true;
     }
     if (!find_place(experiment, true))
         return status_refuse(status, "%d curves are pinned already (unpin one first)", GHOSTS_MAX - 1);

@@ -195,12 +195,7 @@ void parameter_range(const Parameter *parameter, const Problem *problem, char *o
         for (int i = 0; i < row.n_choices; i++)
             text_or(out, size, parameter->choices[i]);
     } else if (parameter->type == PARAMETER_TEXT) {
-        snprintf(out, size, "%s",
-                 strcmp(parameter->key, "initial.overtones") == 0 ? "mode:velocity,..."
-                 : strcmp(parameter->key, "initial.pulse") == 0   ? "centre,width,velocity"
-                 : strcmp(parameter->key, "output.follow") == 0   ? "particle 12 velocity, ..."
-                 : strcmp(parameter->key, "output.columns") == 0  ? "all | v_cm,kinetic_null,..."
-                                                                  : "time,time,...");
+        snprintf(out, size, "%s", parameter->form);
     } else if (isinf(parameter->least)) {
         snprintf(out, size, "any number");
     } else if (isinf(parameter->most)) {

@@ -57,6 +57,9 @@ typedef struct Parameter {
     size_t offset; /* of the member in Settings */
     size_t size;   /* of a text, in bytes */
     TextRule rule;
+    const char *form;           /* what is allowed, in words */
+    bool goes_on;               /* in indented lines below */
+    bool named;                 /* its values are known without its label: "USL" */
     double least, most;         /* inclusive range */
     bool above_least;           /* the least itself is not allowed */
     const char *const *choices; /* ended by NULL */

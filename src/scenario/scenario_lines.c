@@ -73,11 +73,10 @@ bool scenario_looks_like_key(const char *text)
 
 bool scenario_may_continue(const char *section, const char *name)
 {
-    static const char *const keys[][2] = {{"scenario", "about"}, {"initial", "overtones"}, {"output", "at"}};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        if (strcmp(section, keys[i][0]) == 0 && strcmp(name, keys[i][1]) == 0)
-            return true;
-    return false;
+    char key[2 * KEY_MAX];
+    snprintf(key, sizeof key, "%s.%s", section, name);
+    const Parameter *text = parameter_text_find(key), *parameter = text ? text : parameter_find(key);
+    return parameter && parameter->goes_on;
 }
 
 /* --- entries -------------------------------------------------------------------------------------- */

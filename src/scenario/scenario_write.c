@@ -157,18 +157,12 @@ static bool write_section(FILE *stream, const Settings *settings, const char *se
                     fprintf(stream, "%s = %s\n", row_kinds[kind].columns[i].word, word);
         }
     }
-    if (strcmp(section, "duel") == 0) {
-        for (int i = 0; i < settings->n_duel; i++)
-            if (!write_text(stream, "duel", settings->duel[i].key, settings->duel[i].value, status))
-                return false;
-        return true;
-    }
-    if (strcmp(section, "changes") == 0) {
-        for (int i = 0; i < settings->n_changes; i++)
-            fprintf(stream, "%ld = %s=%s\n", settings->changes[i].step, settings->changes[i].to.key,
-                    settings->changes[i].to.value);
-        return true;
-    }
+    for (int i = 0; strcmp(section, "duel") == 0 && i < settings->n_duel; i++)
+        if (!write_text(stream, section, settings->duel[i].key, settings->duel[i].value, status))
+            return false;
+    for (int i = 0; strcmp(section, "changes") == 0 && i < settings->n_changes; i++)
+        fprintf(stream, "%ld = %s=%s\n", settings->changes[i].step, settings->changes[i].to.key,
+                settings->changes[i].to.value);
     return true;
 }
 

@@ -319,17 +319,10 @@ bool settings_differ_beyond(const Settings *a, const Settings *b, const char (*a
     return snprintf(key, KEY_MAX, "%s", about) > 0;
 }
 
-/* Those whose values are known by themselves. */
-static bool is_name(const Parameter *parameter)
-{
-    static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer", "scenario.method", NULL};
-    return text_place_in(parameter->key, keys) >= 0;
-}
-
 void settings_spell(const Settings *settings, const Parameter *parameter, char out[LIST_MAX])
 {
     settings_show(settings, parameter, out);
-    if (is_name(parameter) && strcmp(parameter->key, "mpm.shape") != 0)
+    if (parameter->named && strcmp(parameter->key, "mpm.shape") != 0)
         for (char *c = out; *c; c++)
             *c = (char)toupper((unsigned char)*c);
 }
@@ -341,7 +334,7 @@ static bool name_values(const Settings *a, const Settings *b, bool change, char 
     bool room = true;
     for (int i = 0; i < n_parameters && room; i++) {
         const Parameter *parameter = &parameters[i];
-        const bool bare = !change && is_name(parameter);
+        const bool bare = !change && parameter->named;
         char own[LIST_MAX], other[LIST_MAX], item[2 * LIST_MAX + 64];
         if (!differ_in(a, b, parameter))
             continue;
