@@ -369,7 +369,7 @@ bool bodies_prepare(References *refs, const MpmDef *def, const Simulation *sim, 
     if (!answers)
         return false;
     answers->def = *def;
-    bodies_row(sim, answers->start);
+    mpm_row_of_bodies(sim, answers->start);
     answers->mass = (double)sim->counts[0] * simulation_named(sim, 0, "mass", 0);
     for (int axis = 0; axis < 2; axis++) {
         for (size_t p = 0; p < sim->counts[0]; p++)
@@ -442,7 +442,7 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     double row[BODIES_X + BODIES_MAX * OF_BODY];
     int n = 0;
     bool walls = false;
-    bodies_row(sim, row);
+    mpm_row_of_bodies(sim, row);
     for (int wall = 0; wall < WALLS; wall++)
         walls = walls || def->walls[wall] == WALL_SLIP || def->walls[wall] == WALL_FRICTION;
     const double met = answers->met < answers->hit ? answers->met : NAN,

@@ -192,7 +192,7 @@ static void note_energy(Mpm *mpm)
     const MpmDef *def = &mpm->def;
     const double fall = sqrt(def->gravity[0] * def->gravity[0] + def->gravity[1] * def->gravity[1]) *
                         (def->length + def->height);
-    mpm->energy_start = bodies_energy(mpm) + mpm->mass[0] * mpm->n_particles * fall;
+    mpm->energy_start = mpm_energy(mpm) + mpm->mass[0] * mpm->n_particles * fall;
 }
 
 void bodies_begin_with(Simulation *sim, BodiesField *field, const void *context)

@@ -459,7 +459,8 @@ void mpm_list_exchanges(Mpm *);
 void mpm_explain(const Simulation *, int stage, int set, size_t index, const void *before, int terms,
                  char *out, size_t size);
 
-double mpm_energy(const Mpm *);
+double mpm_energy(const Mpm *);                  /* kinetic + strain */
+double mpm_strain_at(const Mpm *, int particle); /* strain energy, in the plane */
 /* A sum over particles is made of four, which are added in their order: particle p counts in p % 4. */
 enum { MPM_LANES = 4 };
 static inline double mpm_fold(const double *lanes)
@@ -474,14 +475,6 @@ void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */
 void mpm_write_row(Mpm *, double *row, bool whole);
-/* Whether the series has it. */
-static inline bool mpm_has_column(const Mpm *mpm, int entry)
-{
-    for (int k = 0; k < mpm->sim.n_series; k++)
-        if (mpm->series_entry[k] == entry)
-            return true;
-    return false;
-}
 bool mpm_row_needs_grid(const Mpm *);
 bool mpm_row_has_rates(const Mpm *); /* a column is a difference to the step before */
 void mpm_set_series(Mpm *);
@@ -506,8 +499,6 @@ static inline void mpm_put_chunk(Mpm *mpm, int which, MpmChunk chunk)
 }
 
 /* --- beams: plane_*.c -------------------------------------------------------------------------------- */
-
-double mpm_strain_at(const Mpm *, int particle); /* strain energy, J */
 
 /* The kinetic energy that no velocities of the grid can give (J); the grid stands as after map and supports.
  * Its scratch, and whether it takes so long that it is left out. */
@@ -559,10 +550,5 @@ Meeting bodies_meet(const Mpm *, int node, int a, int b, const double q[2][2]);
 
 /* Whether a wall of the box acts on a node. */
 bool bodies_at_wall(const Mpm *, int node);
-
-void bodies_set_series(Mpm *);
-void bodies_write_row(const Mpm *, double *row);
-double bodies_energy(const Mpm *); /* kinetic + strain */
-double bodies_strain_at(const Mpm *, int particle);
 
 #endif

@@ -227,11 +227,6 @@ static double stress_across(const Mpm *mpm, int p)
                                : mpm->def.poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
 }
 
-static double strain_energy(const Mpm *mpm, int p)
-{
-    return mpm->bodies ? bodies_strain_at(mpm, p) : mpm_strain_at(mpm, p);
-}
-
 /* sum of the squares of the velocity, a beam's common speed left out */
 static double speed_squared(const Mpm *mpm, int p)
 {
@@ -296,9 +291,9 @@ static double particle_field(const Mpm *mpm, const Field *row, int p)
     case P_SPEED:
         return sqrt(speed_squared(mpm, p));
     case P_STRAIN_ENERGY:
-        return strain_energy(mpm, p);
+        return mpm_strain_at(mpm, p);
     case P_ENERGY_DENSITY:
-        return strain_energy(mpm, p) / mpm->volume[p];
+        return mpm_strain_at(mpm, p) / mpm->volume[p];
     case P_KINETIC_ENERGY:
         return 0.5 * mpm->mass[0] * speed_squared(mpm, p) * (mpm->bodies ? 1.0 : mpm->def.thickness);
     case P_PROBE:

@@ -268,7 +268,6 @@ static const struct {
     unsigned has;
     void (*derive)(Mpm *);
     bool (*begin)(Mpm *, Status *);
-    void (*set_series)(Mpm *);
     Method method;
 } problems_by_mpm[] = {
 #define METHOD                                                                                               \
@@ -280,19 +279,13 @@ static const struct {
                  HAS_LINE | HAS_MESH,
                  bar_derive,
                  bar_begin,
-                 mpm_set_series,
                  {METHOD, .on_request = mpm_on_request, .small = small}},
-    [MPM_BEAM] = {"beam",
-                  HAS_PLANE | HAS_MESH,
-                  plane_derive,
-                  plane_begin,
-                  mpm_set_series,
-                  {METHOD, .on_request = mpm_on_request}},
+    [MPM_BEAM] =
+        {"beam", HAS_PLANE | HAS_MESH, plane_derive, plane_begin, {METHOD, .on_request = mpm_on_request}},
     [MPM_BODIES] = {"bodies",
                     HAS_MESH | HAS_BODIES,
                     bodies_derive,
                     bodies_begin,
-                    bodies_set_series,
                     {METHOD, .on_request = (const char *const[]){".touching", NULL}}},
 #undef METHOD
 };
@@ -353,7 +346,7 @@ Simulation *mpm_create(const MpmDef *def, Status *status)
         mpm_destroy(sim);
         return NULL;
     }
-    problems_by_mpm[def->problem].set_series(mpm);
+    mpm_set_series(mpm);
     mpm_take_schedule(mpm);
     const bool beam = def->problem == MPM_BEAM;
     simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,

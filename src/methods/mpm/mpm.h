@@ -222,7 +222,7 @@ enum {
     BODIES_ANGULAR,
     BODIES_X
 };
-void bodies_row(const Simulation *, double *row);
+void mpm_row_of_bodies(const Simulation *, double *row);
 
 /* A field of velocities at t = 0 in place of the bodies' own, with its gradient dv_i/dx_j in rows. */
 typedef void BodiesField(const double x[2], const void *context, double v[2], double gradient[4]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Energies and the row of the series of a bar and of a beam: sums over all particles and nodes, of a bar per
- * unit cross-section, of a beam (b its thickness) without its common speed v0,
+/* Energies and the row of the series: sums over all particles and nodes, of a bar per unit cross-section, of
+ * bodies per unit thickness, of a beam (b its thickness) without its common speed v0,
  *
  *     x_cm_rate     d(x_cm)/dt of the last step, sum m sum N_i v_i / M with v_i of eq. 15; before the first
  *                   step of the momenta that no force has changed yet
@@ -18,11 +18,23 @@
  * of small strains; where particles cross cells, strains are large enough to tell it from
  * E (1 + (e - 1) exp(e)), e = stress/E, which is what the updates of stress and density really store. kinetic
  * less kinetic_grid is not all hidden: lumped masses see even a smooth mode with too little energy (1.7e-3 of
- * it at 4 cells in the height of a beam, 4e-4 at 8). */
+ * it at 4 cells in the height of a beam, 4e-4 at 8).
+ *
+ * Of bodies
+ *
+ *     kinetic    sum m v^2/2
+ *     strain     sum V stress : D^-1 stress/2 (hypoelastic: no potential, only nearly kept), or
+ *                sum V0 (G (tr F F^T - 2)/2 - G ln J + lambda (ln J)^2/2) (neo-Hookean)
+ *     potential  -sum m g . x
+ *     friction   what walls and contact took by it
+ *     angular    about the middle of the box: sum m (x - c) x v, with APIC + sum m (B_yx - B_xy)
+ *     NAME.spin  the body's own angular momentum, without B, over its own moment of inertia */
 #include "base/assertion.h"
+#include "base/math/functions.h"
 #include "methods/axial.h"
 #include "methods/mpm/mistakes.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
@@ -69,15 +81,48 @@ static Sums sum_material(const Mpm *mpm, int which, int first, int end)
                   mpm_fold(strain) / (2.0 * mpm->modulus[which])};
 }
 
-/* Strain energy of a particle in plane stress, s.D^-1 s/2 times its volume, J. */
-double mpm_strain_at(const Mpm *mpm, int at)
+/* Of a beam in plane stress s.D^-1 s/2 times its volume, J. */
+double mpm_strain_at(const Mpm *mpm, int p)
 {
-    ASSERT_INDEX(at, mpm->n_particles);
+    ASSERT_INDEX(p, mpm->n_particles);
     const MpmDef *def = &mpm->def;
-    const double xx = mpm->stress[0][at], yy = mpm->stress[1][at], xy = mpm->stress[2][at];
+    const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p], G = mpm->shear;
+    if (bodies_are_neo(mpm)) {
+        const double F[4] = {mpm->deformation[0][p], mpm->deformation[1][p], mpm->deformation[2][p],
+                             mpm->deformation[3][p]};
+        const double trace = F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3];
+        const double swell = math_log(F[0] * F[3] - F[1] * F[2]);
+        return mpm->volume_start * (0.5 * G * (trace - 2.0) - G * swell + 0.5 * mpm->lambda * swell * swell);
+    }
+    if (mpm->bodies) {
+        const double whole = mpm->D11 * mpm->D11 - mpm->D12 * mpm->D12;
+        const double direct = (mpm->D11 * (xx * xx + yy * yy) - 2.0 * mpm->D12 * (xx * yy)) / whole;
+        return 0.5 * mpm->volume[p] * (direct + xy * xy / G);
+    }
     const double direct = xx * xx + yy * yy - 2 * def->poisson * (xx * yy);
-    return (direct / (2 * def->youngs_modulus) + xy * xy / (2 * mpm->shear)) * mpm->volume[at] *
-           def->thickness;
+    return (direct / (2 * def->youngs_modulus) + xy * xy / (2 * G)) * mpm->volume[p] * def->thickness;
+}
+
+/* Sums over some particles of bodies. */
+typedef struct BodySums {
+    double x, y, vx, vy, turn, inertia; /* sum x, ..., sum x v_y - y v_x, sum x^2 + y^2 */
+    double squares, strain, affine;     /* sum v^2, strain energies, sum B_yx - B_xy */
+} BodySums;
+
+static BodySums sum_bodies(const Mpm *mpm, int first, int end)
+{
+    BodySums sum = {0};
+    for (int p = first; p < end; p++) {
+        const double x = mpm->at[0][p] + mpm->u[0][p], y = mpm->at[1][p] + mpm->u[1][p];
+        const double vx = mpm->v[0][p], vy = mpm->v[1][p];
+        sum.x += x, sum.y += y, sum.vx += vx, sum.vy += vy;
+        sum.turn += x * vy - y * vx;
+        sum.inertia += x * x + y * y;
+        sum.squares += vx * vx + vy * vy;
+        sum.strain += mpm_strain_at(mpm, p);
+        sum.affine += mpm->rate[2][p] - mpm->rate[1][p];
+    }
+    return sum;
 }
 
 static Sums sum_beam(const Mpm *mpm)
@@ -112,15 +157,12 @@ static Sums sum_particles(const Mpm *mpm)
 
 double mpm_energy(const Mpm *mpm)
 {
-    if (mpm->bodies)
-        return bodies_energy(mpm);
+    if (mpm->bodies) {
+        const BodySums sum = sum_bodies(mpm, 0, mpm->n_particles);
+        return 0.5 * mpm->mass[0] * sum.squares + sum.strain;
+    }
     const Sums sums = sum_particles(mpm);
     return sums.kinetic + sums.strain;
-}
-
-static double thickness(const Mpm *mpm)
-{
-    return mpm->dim == 1 ? 1.0 : mpm->def.thickness;
 }
 
 /* The energy that lumped masses see, of velocities over a beam's common one. Held components of a beam are at
@@ -134,7 +176,7 @@ static double kinetic_grid(const Mpm *mpm)
             if (mpm->dim == 1 || mpm->free[axis][i] != 0.0)
                 sum += p * p * mpm->inverse[i];
         }
-    return 0.5 * sum * thickness(mpm);
+    return 0.5 * sum * mpm->def.thickness;
 }
 
 static double rate_of_centre(const Mpm *mpm, double moment)
@@ -157,87 +199,148 @@ static double probe(const Mpm *mpm, const double *values)
 }
 
 typedef enum Entry {
-    V_CM, /* those of a bar, in the order of its columns */
+    V_CM,
     X_CM,
     X_CM_RATE,
+    U_PROBE,
+    V_PROBE,
+    LENGTH,
     KINETIC,
     KINETIC_GRID,
     KINETIC_NULL,
     STRAIN,
+    POTENTIAL,
+    FRICTION,
     WORK,
     TOTAL,
     MOMENTUM_X,
-    REACTION_X,
-    LINE_ENTRIES,
-    U_PROBE = LINE_ENTRIES,
-    V_PROBE,
-    LENGTH,
     MOMENTUM_Y,
+    REACTION_X,
     REACTION_Y,
-    ENTRIES
+    ANGULAR,
+    OF_BODIES /* from here on BODY_TOUCHING + 1 of each body */
 } Entry;
-
-static const Quantity line[LINE_ENTRIES] = {
-    {AXIAL_V_CM},
-    {AXIAL_X_CM},
-    {"x_cm_rate", "d(x_cm)/dt", "length/time",
-     "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"},
-    {AXIAL_KINETIC},
-    {"kinetic_grid", "seen by grid", "force/length",
-     "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"},
-    {"kinetic_null", "null space", "force/length",
-     "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"},
-    {"strain", "strain", "force/length", "strain energy of the particles"},
-    {AXIAL_WORK},
-    {AXIAL_TOTAL},
-    {AXIAL_MOMENTUM},
-    {AXIAL_REACTION " in the last step"},
-};
 
 /* In the order of the columns. */
 static const struct {
+    MpmProblem of;
     Entry entry;
     Quantity quantity;
-} beam[] = {
-    {U_PROBE, {"u_probe", "u", "m", "transverse displacement at the probe"}},
-    {V_PROBE, {"v_probe", "v", "m/s", "transverse velocity at the probe"}},
-    {LENGTH, {"length", "length", "m", "length outside the channel, L0 + v0 t"}},
-    {KINETIC, {"kinetic", "kinetic", "J", "kinetic energy of the particles, without the common speed"}},
-    {KINETIC_GRID,
+} columns[] = {
+    {MPM_BAR, V_CM, {AXIAL_V_CM}},
+    {MPM_BAR, X_CM, {AXIAL_X_CM}},
+    {MPM_BAR,
+     X_CM_RATE,
+     {"x_cm_rate", "d(x_cm)/dt", "length/time",
+      "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"}},
+    {MPM_BAR, KINETIC, {AXIAL_KINETIC}},
+    {MPM_BAR,
+     KINETIC_GRID,
+     {"kinetic_grid", "seen by grid", "force/length",
+      "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"}},
+    {MPM_BAR,
+     KINETIC_NULL,
+     {"kinetic_null", "null space", "force/length",
+      "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"}},
+    {MPM_BAR, STRAIN, {"strain", "strain", "force/length", "strain energy of the particles"}},
+    {MPM_BAR, WORK, {AXIAL_WORK}},
+    {MPM_BAR, TOTAL, {AXIAL_TOTAL}},
+    {MPM_BAR, MOMENTUM_X, {AXIAL_MOMENTUM}},
+    {MPM_BAR, REACTION_X, {AXIAL_REACTION " in the last step"}},
+    {MPM_BEAM, U_PROBE, {"u_probe", "u", "m", "transverse displacement at the probe"}},
+    {MPM_BEAM, V_PROBE, {"v_probe", "v", "m/s", "transverse velocity at the probe"}},
+    {MPM_BEAM, LENGTH, {"length", "length", "m", "length outside the channel, L0 + v0 t"}},
+    {MPM_BEAM,
+     KINETIC,
+     {"kinetic", "kinetic", "J", "kinetic energy of the particles, without the common speed"}},
+    {MPM_BEAM,
+     KINETIC_GRID,
      {"kinetic_grid", "seen by grid", "J",
       "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"}},
-    {KINETIC_NULL,
+    {MPM_BEAM,
+     KINETIC_NULL,
      {"kinetic_null", "null space", "J",
       "the part of it that no velocities of the grid can give: the rest is seen, or lost to "
       "lumped masses"}},
-    {STRAIN, {"strain", "strain", "J", "strain energy of the particles"}},
-    {WORK, {"work", "work", "J", "work of the channel, which draws the beam out"}},
-    {TOTAL, {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"}},
-    {MOMENTUM_X, {"momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"}},
-    {MOMENTUM_Y, {"momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"}},
-    {REACTION_X,
+    {MPM_BEAM, STRAIN, {"strain", "strain", "J", "strain energy of the particles"}},
+    {MPM_BEAM, WORK, {"work", "work", "J", "work of the channel, which draws the beam out"}},
+    {MPM_BEAM,
+     TOTAL,
+     {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"}},
+    {MPM_BEAM, MOMENTUM_X, {"momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"}},
+    {MPM_BEAM, MOMENTUM_Y, {"momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"}},
+    {MPM_BEAM,
+     REACTION_X,
      {"reaction_x", "reaction x", "N", "force of what holds the beam, along x, in the last step"}},
-    {REACTION_Y,
+    {MPM_BEAM,
+     REACTION_Y,
      {"reaction_y", "reaction y", "N", "force of what holds the beam, along y, in the last step"}},
+    {MPM_BODIES, KINETIC, {"kinetic", "kinetic", "force*length", "kinetic energy of the particles"}},
+    {MPM_BODIES, STRAIN, {"strain", "strain", "force*length", "strain energy of the particles"}},
+    {MPM_BODIES,
+     POTENTIAL,
+     {"potential", "potential", "force*length", "potential energy in the field of gravity, 0 at the origin"}},
+    {MPM_BODIES,
+     FRICTION,
+     {"friction", "friction", "force*length", "energy that friction at walls and in contact has taken"}},
+    {MPM_BODIES, TOTAL, {"total", "total", "force*length", "kinetic + strain + potential + friction"}},
+    {MPM_BODIES,
+     MOMENTUM_X,
+     {"momentum_x", "momentum x", "mass*length/time", "momentum of all bodies along x"}},
+    {MPM_BODIES,
+     MOMENTUM_Y,
+     {"momentum_y", "momentum y", "mass*length/time", "momentum of all bodies along y"}},
+    {MPM_BODIES,
+     ANGULAR,
+     {"angular", "angular mom.", "mass*length^2/time", "angular momentum about the middle of the box"}},
 };
 
-/* A column of the series, unless the run has no such thing. */
-static void add_column(Mpm *mpm, Entry entry, const Quantity *quantity)
+/* Whether the run has such a thing. */
+static bool is_there(const Mpm *mpm, Entry entry)
 {
-    if ((entry == REACTION_X && mpm->dim == 1 && mpm->fixed_left == 0 && mpm->fixed_right == 0) ||
-        (entry == LENGTH && !mpm->def.leaves_channel) ||
-        (entry == KINETIC_NULL && mpm->dim == 2 && !plane_null_pays(mpm)))
-        return;
-    mpm->series_entry[mpm->sim.n_series] = (int)entry;
+    return entry == REACTION_X     ? mpm->dim == 2 || mpm->fixed_left > 0 || mpm->fixed_right > 0
+           : entry == LENGTH       ? mpm->def.leaves_channel
+           : entry == KINETIC_NULL ? mpm->dim == 1 || plane_null_pays(mpm)
+                                   : true;
+}
+
+static void add_column(Mpm *mpm, int entry, const Quantity *quantity)
+{
+    mpm->series_entry[mpm->sim.n_series] = entry;
     mpm->series[mpm->sim.n_series++] = *quantity;
+}
+
+static void add_column_of_body(Mpm *mpm, int body, int k)
+{
+    static const struct {
+        const char *name, *unit, *meaning;
+    } of_body[] = {{"x", "length", "x of the centre of mass of "},
+                   {"y", "length", "y of the centre of mass of "},
+                   {"vx", "length/time", "mean velocity along x of "},
+                   {"vy", "length/time", "mean velocity along y of "},
+                   {"spin", "rad/time", "angular momentum over moment of inertia of "},
+                   {"touching", "1", "1: a wall or another body is pushed in the step by "}};
+    char *name = mpm->column_names[body][k], *meaning = mpm->column_meanings[body][k];
+    char of[BODY_NAME_MAX]; /* or gcc fears that the text overlaps itself */
+    memcpy(of, mpm->def.bodies[body].name, sizeof of);
+    snprintf(name, sizeof mpm->column_names[body][k], "%s.%s", of, of_body[k].name);
+    snprintf(meaning, sizeof mpm->column_meanings[body][k], "%s%s", of_body[k].meaning, of);
+    add_column(mpm, OF_BODIES + body * (BODY_TOUCHING + 1) + k,
+               &(Quantity){name, name, of_body[k].unit, meaning});
 }
 
 void mpm_set_series(Mpm *mpm)
 {
-    for (int k = 0; mpm->dim == 1 && k < LINE_ENTRIES; k++)
-        add_column(mpm, (Entry)k, &line[k]);
-    for (size_t k = 0; mpm->dim == 2 && k < sizeof beam / sizeof *beam; k++)
-        add_column(mpm, beam[k].entry, &beam[k].quantity);
+    const int n = mpm->bodies ? mpm->def.n_bodies : 0;
+    for (size_t k = 0; k < sizeof columns / sizeof *columns; k++)
+        if (columns[k].of == mpm->def.problem && is_there(mpm, columns[k].entry))
+            add_column(mpm, (int)columns[k].entry, &columns[k].quantity);
+    for (int body = 0; body < n; body++)
+        for (int k = 0; k < BODY_COLUMNS; k++)
+            add_column_of_body(mpm, body, k);
+    /* of bodies in one field nothing shows which of them acts */
+    for (int body = 0; body < n && (n == 1 || mpm->n_fields > 1); body++)
+        add_column_of_body(mpm, body, BODY_TOUCHING);
     mpm->sim.series = mpm->sim.series_asked = mpm->series;
     mpm->sim.series_entry = mpm->series_entry;
 }
@@ -245,20 +348,23 @@ void mpm_set_series(Mpm *mpm)
 const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_null", "momentum",   "reaction",
                                       "momentum_x", "momentum_y",   "reaction_x",   "reaction_y", NULL};
 
+static bool has_column(const Mpm *mpm, Entry entry)
+{
+    for (int k = 0; k < mpm->sim.n_series; k++)
+        if (mpm->series_entry[k] == (int)entry)
+            return true;
+    return false;
+}
+
 bool mpm_row_needs_grid(const Mpm *mpm)
 {
-    return !mpm->bodies && (mpm_has_column(mpm, KINETIC_GRID) || mpm_has_column(mpm, KINETIC_NULL) ||
-                            (mpm_has_column(mpm, X_CM_RATE) && mpm->sim.step == 0));
+    return has_column(mpm, KINETIC_GRID) || has_column(mpm, KINETIC_NULL) ||
+           (has_column(mpm, X_CM_RATE) && mpm->sim.step == 0);
 }
 
 bool mpm_row_has_rates(const Mpm *mpm)
 {
-    for (int k = 0; k < mpm->sim.n_series; k++) {
-        const char *name = mpm->sim.series[k].name;
-        if (strcmp(name, "x_cm_rate") == 0 || strncmp(name, "reaction", 8) == 0)
-            return true;
-    }
-    return false;
+    return has_column(mpm, X_CM_RATE) || has_column(mpm, REACTION_X) || has_column(mpm, REACTION_Y);
 }
 
 /* Of a beam kinetic_null takes several times as long as a step: only in a row that is whole and due. */
@@ -294,26 +400,73 @@ static double value_of(Mpm *mpm, Entry entry, const Sums *sums, bool whole)
         return sums->kinetic + sums->strain;
     case MOMENTUM_X:
     case MOMENTUM_Y:
-        return thickness(mpm) * mpm_momentum(mpm, axis);
+        return mpm->def.thickness * mpm_momentum(mpm, axis);
     case REACTION_X:
     case REACTION_Y:
-        return thickness(mpm) * mpm_reaction(mpm, axis, mpm_momentum(mpm, axis));
+        return mpm->def.thickness * mpm_reaction(mpm, axis, mpm_momentum(mpm, axis));
     case U_PROBE:
         return probe(mpm, mpm->u[1]);
     case V_PROBE:
         return probe(mpm, mpm->v[1]);
     case LENGTH:
         return mpm->def.length + mpm->def.speed * simulation_time(&mpm->sim);
-    case ENTRIES:
-        break;
+    default: /* those of bodies: mpm_row_of_bodies() */
+        return NAN;
     }
-    return NAN;
+}
+
+/* Of a body: its centre, its mean velocity, its spin. */
+static void write_body(const BodySums *sum, double count, double *out)
+{
+    const double x = sum->x / count, y = sum->y / count, vx = sum->vx / count, vy = sum->vy / count;
+    const double turn = sum->turn - count * (x * vy - y * vx),
+                 inertia = sum->inertia - count * (x * x + y * y);
+    out[0] = x, out[1] = y, out[2] = vx, out[3] = vy;
+    out[4] = inertia > 0.0 ? turn / inertia : 0.0;
+}
+
+static bool is_touching(const Mpm *mpm, int body)
+{
+    const uint32_t *const touching = mpm->head->touching;
+    bool any = touching[body] != 0;
+    for (int other = 0; other < body; other++)
+        any = any || touching[other] >> body & 1;
+    return any;
+}
+
+void mpm_row_of_bodies(const Simulation *sim, double *row)
+{
+    const Mpm *mpm = mpm_of_const(sim);
+    const MpmDef *def = &mpm->def;
+    const double m = mpm->mass[0];
+    double affine = 0.0;
+    for (int k = 0; k < BODIES_X; k++)
+        row[k] = 0.0;
+    for (int body = 0; body < def->n_bodies; body++) {
+        const int first = mpm->first[body], end = mpm->first[body + 1];
+        const BodySums sum = sum_bodies(mpm, first, end);
+        row[BODIES_KINETIC] += 0.5 * m * sum.squares;
+        row[BODIES_STRAIN] += sum.strain;
+        row[BODIES_POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
+        row[BODIES_MOMENTUM_X] += m * sum.vx;
+        row[BODIES_MOMENTUM_Y] += m * sum.vy;
+        row[BODIES_ANGULAR] += m * (sum.turn - 0.5 * (def->length * sum.vy - def->height * sum.vx));
+        affine += m * sum.affine;
+        write_body(&sum, end - first, row + BODIES_X + body * BODY_COLUMNS);
+    }
+    if (mpm->head->transfer == MPM_APIC)
+        row[BODIES_ANGULAR] += affine;
+    row[BODIES_FRICTION] = mpm->head->friction;
+    row[BODIES_TOTAL] =
+        row[BODIES_KINETIC] + row[BODIES_STRAIN] + row[BODIES_POTENTIAL] + row[BODIES_FRICTION];
 }
 
 void mpm_write_row(Mpm *mpm, double *row, bool whole)
 {
     if (mpm->bodies) {
-        bodies_write_row(mpm, row);
+        mpm_row_of_bodies(&mpm->sim, row);
+        for (int k = BODIES_X + mpm->def.n_bodies * BODY_COLUMNS; k < mpm->sim.n_series; k++)
+            row[k] = is_touching(mpm, (mpm->series_entry[k] - OF_BODIES) / (BODY_TOUCHING + 1));
         return;
     }
     const Sums sums = sum_particles(mpm);

@@ -37,14 +37,14 @@
 
 bool mpm_fail_particle(Mpm *mpm, Status *status, int particle, const char *what)
 {
-    const bool light = mpm->dim == 1 && bar_feels_light_nodes(&mpm->def, mpm->head->transfer);
+    const bool light = bar_feels_light_nodes(&mpm->def, mpm->head->transfer);
     char text[200];
     char where[60] = "";
     if (mpm->bodies)
         snprintf(where, sizeof where, " at (%.4g, %.4g)", mpm->at[0][particle] + mpm->u[0][particle],
                  mpm->at[1][particle] + mpm->u[1][particle]);
     snprintf(text, sizeof text, "%s%s%s", what, where, light ? " (" BAR_LIGHT_NODES ")" : "");
-    return batch_fail_particle(&mpm->sim, status, particle, text, mpm->dim == 2 && !mpm->bodies ? " s" : "");
+    return batch_fail_particle(&mpm->sim, status, particle, text, mpm->def.problem == MPM_BEAM ? " s" : "");
 }
 
 /* The first crossing of a particle is an event; in the plane one event a step, as particles of a lattice

@@ -166,18 +166,15 @@ static double energy(const Simulation *sim)
  * common speed, at most some 1e-20 of 1/2 m v0^2 in a million steps. */
 static bool check_energy(Mpm *mpm, Status *status)
 {
-    if (mpm->bodies) {
-        const GrowthNow now = {mpm->energy_start, energy, 0, "", "uGIMP, MUSL, or more particles"};
-        return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
-    }
-    const bool plane = mpm->dim == 2, light = !plane && bar_feels_light_nodes(&mpm->def, mpm->head->transfer);
+    const bool beam = mpm->def.problem == MPM_BEAM;
     const double body = mpm->mass[0] * mpm->n_particles * mpm->def.thickness;
-    const double rounding = plane ? 1e-20 * body * mpm->speed * mpm->speed / 2 : 0;
-    const GrowthNow now = {fmax(mpm->energy_start, rounding), energy, plane ? 0 : mpm->head->work,
-                           plane ? " s" : "",
-                           plane   ? "other shapes"
-                           : light ? "another shape: " BAR_LIGHT_NODES
-                                   : "another algorithm"};
+    const double rounding = 1e-20 * body * mpm->speed * mpm->speed / 2;
+    const GrowthNow now = {
+        fmax(mpm->energy_start, rounding), energy, beam ? 0 : mpm->head->work, beam ? " s" : "",
+        mpm->bodies                                             ? "uGIMP, MUSL, or more particles"
+        : beam                                                  ? "other shapes"
+        : bar_feels_light_nodes(&mpm->def, mpm->head->transfer) ? "another shape: " BAR_LIGHT_NODES
+                                                                : "another algorithm"};
     return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
 }
 
