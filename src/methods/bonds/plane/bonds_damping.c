@@ -88,7 +88,7 @@ void beam_brake(Beam *beam, int j, bool second)
     ASSERT_INDEX(j, beam->lattice.ny);
     const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
     const double half = beam->damping * beam->sim.dt / 2, keep = second ? 1 / (1 + half) : 1 - half;
-    const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
+    const double ahead = beam->sim.common_speed;
     double *vx = beam->nodes.vx + row, *vy = beam->nodes.vy + row;
     for (size_t i = 0; beam->damping > 0 && i < nx; i++)
         vx[i] = ahead + keep * (vx[i] - ahead);
@@ -103,7 +103,7 @@ void beam_note_speeds(Beam *beam, int j)
     ASSERT_INDEX(j, beam->lattice.ny);
     const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     const double *vx = beam->nodes.vx + row, *vy = beam->nodes.vy + row;
-    const double ahead = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
+    const double ahead = beam->sim.common_speed;
     const size_t nx = (size_t)beam->lattice.nx;
     double along = 0, sum = 0;
     if (beam->damping > 0 && ahead == 0)

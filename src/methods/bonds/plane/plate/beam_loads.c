@@ -124,21 +124,31 @@ double beam_own_power(const Beam *beam, int j)
     return power;
 }
 
-void beam_add_loads(Beam *beam, int j, double time)
+/* Adds the loads on row j at that time to f (NULL: nowhere); returns their power, W/m^3. */
+static double loads_of_row(const Beam *beam, int j, double time, double *f)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
+    double power = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
         if (!patch_has_row(&load->patch, j))
             continue;
         beam_load_force(beam, load, time, force);
-        const size_t from = lattice_at(&beam->lattice, load->patch.i, j),
-                     end = from + (size_t)load->patch.columns;
-        for (size_t i = from; load->sx != 0 && i < end; i++)
-            beam->nodes.fx[i] += force[0];
-        for (size_t i = from; load->sy != 0 && i < end; i++)
-            beam->nodes.fy[i] += force[1];
+        for (int axis = 0; axis < 2; axis++) {
+            const size_t from = (size_t)axis * beam->array + lattice_at(&beam->lattice, load->patch.i, j),
+                         end = from + (size_t)load->patch.columns;
+            for (size_t i = from; force[axis] != 0 && f && i < end; i++)
+                f[i] += force[axis];
+            for (size_t i = from; force[axis] != 0 && i < end; i++)
+                power += force[axis] * beam->nodes.vx[i];
+        }
     }
+    return power;
+}
+
+void beam_add_loads(Beam *beam, int j, double time)
+{
+    loads_of_row(beam, j, time, beam->nodes.fx);
 }
 
 /* sum (f - alpha rho v) v over the nodes of row j that supports move, W/m^3: of the components that are
@@ -192,21 +202,7 @@ void beam_reaction(const Beam *beam, double force[2])
 
 void beam_note_work(Beam *beam, int j, long step)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
-    const double dt = beam->sim.dt;
-    double power = 0;
-    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
-        double force[2];
-        if (!patch_has_row(&load->patch, j))
-            continue;
-        beam_load_force(beam, load, ((double)step + 0.5) * dt, force);
-        const size_t from = lattice_at(&beam->lattice, load->patch.i, j),
-                     end = from + (size_t)load->patch.columns;
-        for (size_t i = from; load->sx != 0 && i < end; i++)
-            power += force[0] * beam->nodes.vx[i];
-        for (size_t i = from; load->sy != 0 && i < end; i++)
-            power += force[1] * beam->nodes.vy[i];
-    }
+    const double dt = beam->sim.dt, power = loads_of_row(beam, j, ((double)step + 0.5) * dt, NULL);
     beam->row_work[2 * j] = (power - moved_power(beam, j) / 2) * beam_volume(beam) * beam->def.thickness * dt;
 }
 
