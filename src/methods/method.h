@@ -98,7 +98,7 @@ enum {
 
 /* "set_from[index_from] and the other are linked": a particle and a node of its cell, the two ends of a bond.
  */
-enum { LINK_C, LINK_G, LINK_W, LINK_V, LINK_FACTORS };
+enum { LINK_FACTORS = 4 };
 typedef struct Link {
     int set;       /* of the other end */
     size_t index;  /* of the other end */

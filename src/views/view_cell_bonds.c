@@ -73,26 +73,26 @@ static NumberText number_of(double value)
 
 /* --- one bond --------------------------------------------------------------------------------------- */
 
-/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors by name, with the words of method.h
- * where they fit, and as a product. */
+/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors by name, with words where they fit, and
+ * as a product. */
 static void write_product(const NearBonds *bonds, const Link *link, int columns, char out[2][160])
 {
-    static const char *const names[LINK_FACTORS] = {
-        [LINK_C] = "c", [LINK_G] = "G", [LINK_W] = "w", [LINK_V] = "V"};
-    static const char *const words[LINK_FACTORS] = {
-        [LINK_C] = "micromodulus ", [LINK_G] = "surface ", [LINK_W] = "share ", [LINK_V] = "volume "};
+    static const char *const names[LINK_FACTORS] = {"micromodulus c", "surface G", "share w", "volume V"};
     char brief[160] = "";
+    double product = link->stretch;
     out[0][0] = out[1][0] = '\0';
     for (int f = 0; f < LINK_FACTORS; f++) {
         const NumberText factor = number_of(link->factors[f]);
-        text_append(brief, sizeof brief, "%s%s %s", f ? "  " : "", names[f], factor.text);
-        text_append(out[0], 160, "%s%s%s %s", f ? "  " : "", words[f], names[f], factor.text);
+        const char *gap = f ? "  " : "";
+        text_append(brief, sizeof brief, "%s%s %s", gap, text_last_word(names[f]), factor.text);
+        text_append(out[0], 160, "%s%s %s", gap, names[f], factor.text);
         text_append(out[1], 160, "%s × ", factor.text);
+        product *= link->factors[f];
     }
     if (glyphs_columns(out[0]) + 2 > columns)
         snprintf(out[0], 160, "%s", brief);
     text_append(out[1], 160, "%s = ", number_of(link->stretch).text);
-    text_append(out[1], 160, "%s%s", number_of(link_pull(link)).text, bonds->unit);
+    text_append(out[1], 160, "%s%s", number_of(product).text, bonds->unit);
 }
 
 /* What the stretch is enlarged by, so that it is seen: a quarter of the length at most. */

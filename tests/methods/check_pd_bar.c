@@ -476,8 +476,8 @@ START_TEST(links_and_bonds)
             ck_assert_int_eq(links[k].set, 0);
             ck_assert_uint_lt(links[k].index, sim->counts[0]);
             least += fabs(link_pull(&links[k]));
-            ck_assert_double_eq_tol(links[k].factors[LINK_C] * links[k].factors[LINK_G] *
-                                        links[k].factors[LINK_W] * links[k].factors[LINK_V],
+            ck_assert_double_eq_tol(links[k].factors[0] * links[k].factors[1] * links[k].factors[2] *
+                                        links[k].factors[3],
                                     links[k].stiffness, 1e-12);
         }
         ck_assert_double_ge(least * (1 + 1e-12), fabs(of_particle(sim, "force", i)));

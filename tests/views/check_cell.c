@@ -278,7 +278,7 @@ START_TEST(paper_has_the_terms)
 }
 END_TEST
 
-/* The factors of the strongest bond are its pull, and the box names it first; those of a family
+/* The factors of the strongest bond are its pull, which the box has first; those of a family
  * that are told one by one are the strongest, and with the others add up to the node's force. */
 START_TEST(bonds_are_those_of_the_box)
 {
@@ -312,6 +312,9 @@ START_TEST(bonds_are_those_of_the_box)
         ck_assert_ptr_nonnull(to);
         snprintf(strongest, sizeof strongest, "%.*s: c G w V s = ", (int)strcspn(to + 1, ","), to + 1);
         ck_assert_msg(strstr(drawing.sums, strongest), "%s is not in %s", strongest, drawing.sums);
+        char number[32];
+        snprintf(number, sizeof number, "= %.*s", (int)strcspn(pull, " "), pull);
+        ck_assert_msg(strstr(drawing.sums, number), "%s is not in %s", number, drawing.sums);
         view_choose_variant(view_named("cell"), drawing.screen, 1);
         picture_close(&drawing.picture);
         describe_again(&drawing);
