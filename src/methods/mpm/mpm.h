@@ -136,8 +136,9 @@ double mpm_time_step(const MpmDef *);
  *
  * and the series, of which some columns are on request (Method.on_request):
  *
- *     bar      v_cm x_cm kinetic strain work total; total = kinetic + strain; less the work it keeps its
- * value beam     u_probe v_probe, length (cantilever), kinetic strain work total; kinetic energies leave the
+ *     bar      v_cm x_cm kinetic strain work total; total = kinetic + strain, and total - work keeps its
+ *              value
+ *     beam     u_probe v_probe, length (cantilever), kinetic strain work total; kinetic energies leave the
  *              cantilever's common speed out. total = kinetic + strain, which changes little: the work is
  *              that of the channel in the laboratory, where drawing the beam along counts too.
  *     bodies   kinetic strain potential friction total momentum_x momentum_y angular, then of each body
