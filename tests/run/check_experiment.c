@@ -459,7 +459,8 @@ static void walk_with_changes(const Settings *settings, const LiveEdit *edits, u
 {
     Experiment *experiment = open_experiment(settings, history);
     int changed = 0, kept = 0;
-    for (int i = 0; i < moves; i++) {
+    /* more moves where those drawn changed too little */
+    for (int i = 0; i < moves || (i < 10 * moves && (changed <= 5 || kept <= 1)); i++) {
         walk(experiment, &seed);
         const LiveEdit *edit = &edits[draw(&seed, n_edits)];
         bool past = experiment_step(experiment) < experiment_newest(experiment) - 1;
