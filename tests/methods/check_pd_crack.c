@@ -53,7 +53,6 @@ START_TEST(the_crack_goes_as_the_paper_says)
     ck_assert_double_eq_tol(crack_angle(sim, 0.038), 35, 3);
     ck_assert(crack_measure(sim, &crack));
     ck_assert_msg(labs(crack.broken - 6941) < 70, "%ld bonds broken", crack.broken);
-    ck_assert_int_eq(crack.notch, 1378);
     /* an independent program has 879 m/s with the tip's path smoothed over nine rows, 838 over twice the
      * time; Rayleigh's speed is 2134 */
     ck_assert_double_eq_tol(crack.fastest, 879, 0.02 * 879);

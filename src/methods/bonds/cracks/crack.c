@@ -194,7 +194,6 @@ bool crack_measure(const Simulation *sim, Crack *crack)
         .speed = crack_speed_now(beam),
         .fastest = beam->head->fastest,
         .broken = beam->head->broken,
-        .notch = (long)beam->facts.notch_bonds,
         .beam_height = beam->def.height,
     };
     crack->begun = find_tip(beam, &crack->x, &crack->y);

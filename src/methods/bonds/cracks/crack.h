@@ -30,7 +30,6 @@ typedef struct Crack {
         length;  /* of the path from the notch's end to the tip, at its longest so far: the centres of rows
                   * shift as bonds beside the path break, but a crack does not heal; 0 before it has begun */
     long broken; /* bonds, without the notch's */
-    long notch;  /* bonds cut by the notch */
     double beam_height; /* m */
 } Crack;
 

@@ -13,7 +13,6 @@
  * stage also follows the crack (crack.c). */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
-#include "methods/bonds/cracks/crack.h"
 
 #include <math.h>
 #include <string.h>
@@ -136,9 +135,8 @@ static void report_crack(Beam *beam, long step)
         beam_report(beam, EVENT_BREAK, step, "twentieth bond broke near the notch's end");
     }
     crack_follow(beam);
-    Crack crack;
-    if (head->arrival < 0 && crack_measure(&beam->sim, &crack) && beam->def.protected_depth > 0 &&
-        crack.y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {
+    if (head->arrival < 0 && beam->def.protected_depth > 0 &&
+        head->tip_y >= beam->def.height - beam->def.protected_depth - beam->def.horizon / 2) {
         head->arrival = step;
         beam_report(beam, EVENT_BREAK, step, "the crack reached the protected zone of the load");
     }
@@ -153,7 +151,6 @@ static void update_dirty(Beam *beam, long step)
         beam->is_dirty[node] = 0;
     }
     beam->n_dirty = 0;
-    beam->crack.valid = false;
     if (beam->def.problem == BEAM_NOTCHED)
         report_crack(beam, step);
     else if (beam->head->first_break < 0 && beam->head->broken > 0) {
@@ -197,7 +194,6 @@ void beam_rebuild_damage(Beam *beam)
             beam->dirty[n_due++] = node;
     }
     beam->n_dirty = n_due;
-    beam->crack.valid = false;
 }
 
 bool beam_holds(const Beam *beam, double x, double y)

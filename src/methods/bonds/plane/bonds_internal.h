@@ -53,12 +53,6 @@ typedef struct NodeArrays {
     double *fx, *fy; /* force density, N/m^3 */
 } NodeArrays;
 
-/* The tip of the crack as the damage shows it (see crack.h); recomputed when damage has changed. */
-typedef struct CrackCache {
-    bool valid;
-    double x, y;
-} CrackCache;
-
 typedef struct Beam {
     Simulation sim; /* first */
     BeamDef def;
@@ -109,7 +103,6 @@ typedef struct Beam {
     uint32_t *dirty; /* nodes whose bonds broke since */
     size_t n_dirty;
     uint8_t *is_dirty;
-    CrackCache crack;
     long tip_every; /* steps from one place of the tip in StateHead to the next */
     int n_tips;     /* how many of them its speed is taken over */
     double strain;  /* J; valid while strain_known */

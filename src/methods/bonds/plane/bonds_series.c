@@ -70,17 +70,15 @@ COLUMN(broken_bonds, (double)beam->head->broken)
 /* L(t) = L0 + v0 t, what has left the channel. */
 COLUMN(length, beam->def.length + beam->def.speed * simulation_time(&beam->sim))
 
-/* The tip as the damage shows it, looked for once however many columns ask for it. */
-static const CrackCache *crack(Beam *beam)
+/* The tip may still move along its row, to the node with most damage; the row is the highest ever. */
+static double crack_x(Beam *beam)
 {
-    Crack measured;
-    if (!beam->crack.valid && crack_measure(&beam->sim, &measured))
-        beam->crack = (CrackCache){true, measured.x, measured.y};
-    return &beam->crack;
+    Crack crack = {0};
+    crack_measure(&beam->sim, &crack);
+    return crack.x;
 }
 
-COLUMN(crack_x, crack(beam)->x)
-COLUMN(crack_y, crack(beam)->y)
+COLUMN(crack_y, beam->head->tip_y)
 COLUMN(crack_length, beam->head->crack_length)
 COLUMN(crack_speed_of, crack_speed_now(beam))
 
