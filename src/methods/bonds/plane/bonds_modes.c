@@ -45,11 +45,6 @@ static void add(Cholesky *stiffness, size_t row, size_t column, double value)
         stiffness->rows[row * (stiffness->width + 1) + (row - column)] += value;
 }
 
-/* Up to four nodes of which the mean is taken. */
-typedef struct Probe {
-    int i[2], j[2];
-} Probe;
-
 /* What K is made of: a lattice, how stiff its bonds are, and what is held. */
 typedef struct Model {
     const Lattice *lattice;
@@ -71,20 +66,14 @@ static void add_bond(Cholesky *stiffness, const Model *model, BondPlace bond, co
     const double k = (model->coefficient ? model->coefficient[lattice_slot(lattice, bond)]
                                          : lattice_coefficient(lattice, bond)) /
                      offset->length;
-    for (int r = 0; r < 2; r++)
-        for (int c = 0; c < 2; c++) {
-            const double share = k * n[r] * n[c];
-            const size_t a[2] = {unknown(lattice, bond.i, bond.j, r), unknown(lattice, bond.i, bond.j, c)};
-            const size_t b[2] = {unknown(lattice, bond.i + offset->p, bond.j + offset->q, r),
-                                 unknown(lattice, bond.i + offset->p, bond.j + offset->q, c)};
-            if (!held[a[0]] && !held[a[1]])
-                add(stiffness, a[0], a[1], share);
-            if (!held[b[0]] && !held[b[1]])
-                add(stiffness, b[0], b[1], share);
-            if (!held[a[0]] && !held[b[1]])
-                add(stiffness, a[0], b[1], -share);
-            if (!held[b[0]] && !held[a[1]])
-                add(stiffness, b[0], a[1], -share);
+    const size_t ends[2] = {unknown(lattice, bond.i, bond.j, 0),
+                            unknown(lattice, bond.i + offset->p, bond.j + offset->q, 0)};
+    for (int r = 0; r < 4; r++)
+        for (int c = 0; c < 4; c++) {
+            const size_t row = ends[r / 2] + (size_t)(r % 2), column = ends[c / 2] + (size_t)(c % 2);
+            const double share = k * n[r % 2] * n[c % 2];
+            if (!held[row] && !held[column])
+                add(stiffness, row, column, r / 2 == c / 2 ? share : -share);
         }
 }
 
@@ -127,7 +116,7 @@ static void fill(const Model *model, const bool *held, double *x)
 
 /* The displacement of a point under its own weight: K u = rho b with b = 1 m/s^2, upwards; mean over its four
  * nodes. False: given up. */
-static bool find_sag(const Cholesky *factor, const Model *model, const bool *held, const Probe *probe,
+static bool find_sag(const Cholesky *factor, const Model *model, const bool *held, const Beam *probed,
                      double *u, double *sag)
 {
     for (size_t i = 0; i < factor->size; i++)
@@ -137,7 +126,7 @@ static bool find_sag(const Cholesky *factor, const Model *model, const bool *hel
     *sag = 0;
     for (int b = 0; b < 2; b++)
         for (int a = 0; a < 2; a++)
-            *sag += u[unknown(model->lattice, probe->i[a], probe->j[b], 1)] / 4;
+            *sag += u[unknown(model->lattice, probed->probe_i[a], probed->probe_j[b], 1)] / 4;
     return true;
 }
 
@@ -154,10 +143,10 @@ static void hold(const Model *model, bool *held)
         held[i] = true;
 }
 
-/* T = 2 pi/sqrt(lambda/rho), and the sag of a probe (NULL: not wanted). They stay NAN where nothing holds the
- * body, where two lowest periods are too close to be distinguished, or where the band would take more than
- * BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or interrupted. */
-static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Status *status)
+/* T = 2 pi/sqrt(lambda/rho), and the sag of a beam's probe (NULL: not wanted). They stay NAN where nothing
+ * holds the body, where two lowest periods are too close to be distinguished, or where the band would take
+ * more than BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or interrupted. */
+static bool solve(const Model *model, const Beam *probed, BeamLinear *out, Status *status)
 {
     const Lattice *lattice = model->lattice;
     Cholesky band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};
@@ -178,7 +167,7 @@ static bool solve(const Model *model, const Probe *probe, BeamLinear *out, Statu
         double lambda = NAN;
         done = end == CHOLESKY_SINGULAR ||
                (end == CHOLESKY_DONE && linear_lowest(&band, NULL, vectors, &lambda, model->cancel) &&
-                (!probe || find_sag(&band, model, held, probe, vectors, &out->sag))) ||
+                (!probed || find_sag(&band, model, held, probed, vectors, &out->sag))) ||
                status_fail(status, "the predicted period was cancelled");
         out->period = 2 * M_PI / sqrt(lambda / model->density);
     }
@@ -199,8 +188,7 @@ bool beam_linear(const Simulation *sim, BeamLinear *out, Status *status)
                          .density = beam->def.density,
                          .half_wave = beam->def.problem == BEAM_SIMPLY_SUPPORTED,
                          .cancel = &beam->def.cancel};
-    const Probe probe = {{beam->probe_i[0], beam->probe_i[1]}, {beam->probe_j[0], beam->probe_j[1]}};
-    return solve(&model, &probe, out, status);
+    return solve(&model, beam, out, status);
 }
 
 bool beam_predicted_period(const BeamDef *definition, double *period, double *span, double *height,
