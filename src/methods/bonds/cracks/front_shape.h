@@ -9,13 +9,6 @@
 
 enum { FRONT_NONE = 255, FRONT_GROUPS_MAX = 32 };
 
-/* A bond that broke in the run. */
-typedef struct Break {
-    int32_t step;
-    uint32_t nodes[2];
-    double weight;
-} Break;
-
 /* A node that cracked in the run and belongs to a front, from this step on. */
 typedef struct CrackedNode {
     int32_t step;
@@ -33,7 +26,7 @@ typedef struct Growth {
     uint32_t *asked, *next; /* nodes that may come to a front in this round, and in the next one */
     uint8_t *found;         /* and where these came to */
     double *all, *broken; /* per node: weights of its family, and of its broken bonds; all 0: not looked up */
-    Break *breaks;
+    uint32_t *breaks;     /* slots of broken bonds in the order in which they broke */
     size_t n_breaks, n_of_cuts; /* those of the cuts come first */
     uint8_t *is_touched;        /* per front and line: a node of it has cracked since it was looked at */
     uint32_t *touched;          /* which these are */

@@ -75,86 +75,54 @@ static void turn_fronts(Growth *growth)
     }
 }
 
-/* --- once more through the run --------------------------------------------------------------- */
+/* --- in the order in which they broke -------------------------------------------------------- */
 
-/* Into the order in which they broke, those of a step as they were gathered: digit by digit of the step. */
-static bool sort_breaks(Growth *growth)
+/* The step in which a bond broke; at most the one that has begun. */
+static int32_t step_of(const Beam *beam, size_t slot)
 {
-    enum { BITS = 8, DIGITS = 1 << BITS };
-    const size_t n = growth->n_breaks;
-    Break *other = malloc((n + 1) * sizeof *other);
-    size_t places[DIGITS];
-    if (!other)
-        return false;
-    /* the cuts' steps, OF_CUT, become 0 */
-    for (int shift = 0; (growth->beam->sim.step + 1) >> shift > 0; shift += BITS) {
-        memset(places, 0, sizeof places);
-        for (size_t k = 0; k < n; k++)
-            places[(growth->breaks[k].step - OF_CUT) >> shift & (DIGITS - 1)]++;
-        for (size_t digit = 0, place = 0; digit < DIGITS; digit++) {
-            const size_t count = places[digit];
-            places[digit] = place;
-            place += count;
-        }
-        for (size_t k = 0; k < n; k++)
-            other[places[(growth->breaks[k].step - OF_CUT) >> shift & (DIGITS - 1)]++] = growth->breaks[k];
-        Break *sorted = other;
-        other = growth->breaks;
-        growth->breaks = sorted;
-    }
-    free(other);
-    return true;
+    const int32_t begun = (int32_t)beam->sim.step + 1;
+    return beam_bit(beam->notched, slot)   ? OF_CUT
+           : beam->broken_at[slot] < begun ? beam->broken_at[slot]
+                                           : begun;
 }
 
-/* One bond of a node is gone; returns the share of its family that is. */
-static double weaken(Growth *growth, size_t node, double weight)
-{
-    double broken;
-    if (growth->all[node] == 0)
-        growth->all[node] = beam_family_weight(growth->beam, node, 0, &broken);
-    growth->broken[node] += weight;
-    return growth->broken[node] / growth->all[node];
-}
-
-/* Each bond that broke up to the state's step, and the weights of the nodes at its ends; the cuts' bonds
- * count in the damage from the start, and damage by them alone is not a crack. */
+/* The bonds that broke up to the state's step, step by step and in a step by their slots: counted first, and
+ * then put where those of their step begin. */
 static bool gather(Growth *growth)
 {
     const Beam *beam = growth->beam;
-    const Lattice *lattice = &beam->lattice;
-    size_t room = 0;
-    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
-        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++) {
-            if (!(beam->broken[byte] >> bit & 1))
-                continue;
-            const size_t slot = 8 * byte + bit;
-            const BondPlace place = lattice_slot_place(lattice, slot);
-            const bool of_cut = beam->notched[byte] >> bit & 1;
-            if (growth->n_breaks == room) {
-                room = room ? 2 * room : 1024;
-                Break *more = realloc(growth->breaks, room * sizeof *more);
-                if (!more)
-                    return false;
-                growth->breaks = more;
-            }
-            if (!of_cut && beam->broken_at[slot] > beam->sim.step)
-                continue; /* in the step that has begun */
-            size_t ends[2];
-            lattice_ends(lattice, place, ends);
-            growth->breaks[growth->n_breaks++] = (Break){.step = of_cut ? OF_CUT : beam->broken_at[slot],
-                                                         .nodes = {(uint32_t)ends[0], (uint32_t)ends[1]},
-                                                         .weight = lattice->offsets[place.offset].weight};
-        }
-    if (!sort_breaks(growth))
+    const size_t slots = lattice_slots(&beam->lattice), steps = (size_t)(beam->sim.step + 1 - OF_CUT);
+    /* by step - OF_CUT; the last are those of the step that has begun, which do not count yet */
+    uint32_t *place = calloc(steps + 2, sizeof *place);
+    if (!place)
         return false;
-    for (; growth->n_of_cuts < growth->n_breaks && growth->breaks[growth->n_of_cuts].step == OF_CUT;
-         growth->n_of_cuts++)
-        for (int end = 0; end < 2; end++) {
-            const Break *gone = &growth->breaks[growth->n_of_cuts];
-            if (weaken(growth, gone->nodes[end], gone->weight) > CRACK_DAMAGE)
-                growth->cracked[gone->nodes[end]] = NODE_OF_CUT;
-        }
-    return true;
+    for (size_t slot = 0; (slot = beam_next_bit(beam->broken, slot, slots)) < slots; slot++)
+        place[step_of(beam, slot) - OF_CUT + 1]++;
+    for (size_t k = 0; k <= steps; k++)
+        place[k + 1] += place[k];
+    growth->n_of_cuts = place[1];
+    growth->n_breaks = place[steps];
+    growth->breaks = malloc((place[steps + 1] + 1) * sizeof *growth->breaks);
+    for (size_t slot = 0; growth->breaks && (slot = beam_next_bit(beam->broken, slot, slots)) < slots; slot++)
+        growth->breaks[place[step_of(beam, slot) - OF_CUT]++] = (uint32_t)slot;
+    free(place);
+    return growth->breaks != NULL;
+}
+
+/* A bond is gone: its nodes, and the shares of their families that are. */
+static void weaken(Growth *growth, size_t slot, size_t nodes[2], double gone[2])
+{
+    const Lattice *lattice = &growth->beam->lattice;
+    const BondPlace place = lattice_slot_place(lattice, slot);
+    lattice_ends(lattice, place, nodes);
+    for (int end = 0; end < 2; end++) {
+        const size_t node = nodes[end];
+        double broken;
+        if (growth->all[node] == 0)
+            growth->all[node] = beam_family_weight(growth->beam, node, 0, &broken);
+        growth->broken[node] += lattice->offsets[place.offset].weight;
+        gone[end] = growth->broken[node] / growth->all[node];
+    }
 }
 
 /* --- whose node it is ------------------------------------------------------------------------ */
@@ -226,23 +194,33 @@ static void take_round(Growth *growth, int32_t step, size_t *count)
     *count = n_next;
 }
 
-/* Which nodes cracked, when, and of which front. */
+/* Which nodes cracked, when, and of which front. The cuts' bonds count in the damage from the start, and
+ * damage by them alone is not a crack. */
 static void deal(Growth *growth)
 {
     const Beam *beam = growth->beam;
+    size_t nodes[2];
+    double gone[2];
     memset(growth->front_of, FRONT_NONE, lattice_nodes(&beam->lattice));
+    for (size_t k = 0; k < growth->n_of_cuts; k++) {
+        weaken(growth, growth->breaks[k], nodes, gone);
+        for (int end = 0; end < 2; end++)
+            if (gone[end] > CRACK_DAMAGE)
+                growth->cracked[nodes[end]] = NODE_OF_CUT;
+    }
     for (size_t next = growth->n_of_cuts; next < growth->n_breaks;) {
-        const int32_t step = growth->breaks[next].step;
+        const int32_t step = step_of(beam, growth->breaks[next]);
         size_t count = 0;
-        for (; next < growth->n_breaks && growth->breaks[next].step == step; next++)
+        for (; next < growth->n_breaks && step_of(beam, growth->breaks[next]) == step; next++) {
+            weaken(growth, growth->breaks[next], nodes, gone);
             for (int end = 0; end < 2; end++) {
-                const uint32_t node = growth->breaks[next].nodes[end];
-                if (weaken(growth, node, growth->breaks[next].weight) <= CRACK_DAMAGE ||
-                    growth->cracked[node] != NODE_WHOLE || beam->unbreakable[node])
+                if (gone[end] <= CRACK_DAMAGE || growth->cracked[nodes[end]] != NODE_WHOLE ||
+                    beam->unbreakable[nodes[end]])
                     continue;
-                growth->cracked[node] = NODE_ASKED;
-                growth->asked[count++] = node;
+                growth->cracked[nodes[end]] = NODE_ASKED;
+                growth->asked[count++] = (uint32_t)nodes[end];
             }
+        }
         while (count > 0)
             take_round(growth, step, &count);
     }

@@ -180,10 +180,9 @@ void beam_rebuild_damage(Beam *beam)
     memset(beam->is_dirty, 0, lattice_nodes(lattice));
     memset(beam->damage, 0, lattice_nodes(lattice) * sizeof *beam->damage);
     beam->n_dirty = 0;
-    for (size_t byte = 0; byte < lattice_slots(lattice) / 8; byte++)
-        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
-            if (beam->broken[byte] >> bit & 1)
-                mark_ends(beam, lattice_slot_place(lattice, 8 * byte + bit));
+    const size_t slots = lattice_slots(lattice);
+    for (size_t slot = 0; (slot = beam_next_bit(beam->broken, slot, slots)) < slots; slot++)
+        mark_ends(beam, lattice_slot_place(lattice, slot));
     for (size_t k = 0; k < beam->n_dirty; k++)
         beam->damage[beam->dirty[k]] = node_damage(beam, beam->dirty[k], step);
     size_t n_due = 0;

@@ -288,6 +288,14 @@ static inline bool beam_bit(const uint8_t *bits, size_t slot)
     return bits[slot / 8] >> slot % 8 & 1;
 }
 
+/* The first slot from this one on whose bit is set; `slots`, of which there are whole bytes: none. */
+static inline size_t beam_next_bit(const uint8_t *bits, size_t slot, size_t slots)
+{
+    while (slot < slots && !beam_bit(bits, slot))
+        slot += bits[slot / 8] >> slot % 8 ? 1 : 8 - slot % 8;
+    return slot;
+}
+
 static inline double beam_volume(const Beam *beam)
 {
     return beam->lattice.spacing * beam->lattice.depth;
