@@ -24,42 +24,24 @@ static bool is_above_notch(const Beam *beam, int j)
     return lattice_y(&beam->lattice, j) > beam->def.notch_depth + 1e-6 * beam->lattice.spacing;
 }
 
-/* Where the crack is looked for: from the load to five horizons beyond the notch. Farther out single nodes
- * beside supports and load may be damaged too. */
-typedef struct Region {
-    double low, high;
-    int from, end; /* columns, with one or two to spare */
-} Region;
-
-static Region region_of(const Beam *beam)
+/* A cracked node where the crack is looked for, from the load to five horizons beyond the notch, outside the
+ * protected zones. Farther out single nodes beside supports and load may be damaged too. */
+static bool is_cracked(const Beam *beam, int i, int j)
 {
-    const double notch = beam->def.notch_position, load = beam->def.load_position;
-    const double before = BEFORE_NOTCH * beam->def.horizon;
-    Region region = {load < notch ? load : notch - before, load < notch ? notch + before : load, 0,
-                     beam->lattice.nx};
-    const double first = beam->lattice.x0, dx = beam->lattice.spacing;
-    region.from = (int)fmax(region.from, (region.low - first) / dx - 2);
-    region.end = (int)fmin(region.end, (region.high - first) / dx + 2);
-    return region;
-}
-
-/* A cracked node of the region, outside the protected zones. */
-static bool is_cracked(const Beam *beam, const Region *region, int i, int j)
-{
-    size_t node = lattice_node(&beam->lattice, i, j);
+    const size_t node = lattice_node(&beam->lattice, i, j);
     if (beam->damage[node] <= CRACK_DAMAGE || beam->unbreakable[node])
         return false;
-    double x = lattice_x(&beam->lattice, i);
-    return x >= region->low && x <= region->high;
+    const double notch = beam->def.notch_position, load = beam->def.load_position;
+    const double before = BEFORE_NOTCH * beam->def.horizon, x = lattice_x(&beam->lattice, i);
+    return load < notch ? x >= load && x <= notch + before : x >= notch - before && x <= load;
 }
 
 /* sum phi x / sum phi over the row's cracked nodes. False: there are none, or the row is the notch's. */
 static bool row_centre(const Beam *beam, int j, double *centre)
 {
-    const Region region = region_of(beam);
     double sum = 0, weights = 0;
-    for (int i = region.from; is_above_notch(beam, j) && i < region.end; i++)
-        if (is_cracked(beam, &region, i, j)) {
+    for (int i = 0; is_above_notch(beam, j) && i < beam->lattice.nx; i++)
+        if (is_cracked(beam, i, j)) {
             double damage = beam->damage[lattice_node(&beam->lattice, i, j)];
             sum += damage * lattice_x(&beam->lattice, i);
             weights += damage;
@@ -82,14 +64,13 @@ size_t crack_path(const Simulation *sim, double *x, double *y, size_t max)
 /* The tip: of the highest row with a cracked node the node with most damage. False: it has not begun. */
 static bool find_tip(const Beam *beam, double *x, double *y)
 {
-    const Region region = region_of(beam);
     *x = beam->def.notch_position;
     *y = beam->def.notch_depth;
     for (int j = beam->lattice.ny - 1; j >= 0 && is_above_notch(beam, j); j--) {
         double most = 0;
-        for (int i = region.from; i < region.end; i++) {
+        for (int i = 0; i < beam->lattice.nx; i++) {
             double damage = beam->damage[lattice_node(&beam->lattice, i, j)];
-            if (is_cracked(beam, &region, i, j) && damage > most) {
+            if (damage > most && is_cracked(beam, i, j)) {
                 most = damage;
                 *x = lattice_x(&beam->lattice, i);
             }
