@@ -183,7 +183,7 @@ double beam_midpoint_velocity(const BeamTheory *beam, double period, double t)
 }
 
 /* Vibration through the thickness of a beam: rows u_j with rho u_j'' = -sum K_jk u_k (methods/bonds/plane,
- * bonds_thickness.c). The eigenvalues of K/rho are omega^2; velocity Verlet raises every frequency to
+ * bonds_modes.c). The eigenvalues of K/rho are omega^2; velocity Verlet raises every frequency to
  * sin(Omega dt/2) = omega dt/2. Only modes that are even about the middle show in the probe, the mean of the
  * rows beside it. */
 
