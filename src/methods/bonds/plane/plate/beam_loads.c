@@ -151,28 +151,37 @@ void beam_add_loads(Beam *beam, int j, double time)
     loads_of_row(beam, j, time, beam->nodes.fx);
 }
 
-/* sum (f - alpha rho v) v over the nodes of row j that supports move, W/m^3: of the components that are
- * given. */
-static double moved_power(const Beam *beam, int j)
+/* f - alpha rho v of the nodes of row j that supports hold or move along an axis, N/m^3: is taken from
+ * *force, of each node once however many hold it. Returns its power, W/m^3. */
+static double support_power(const Beam *beam, int j, int axis, double *force)
 {
+    const double *f = (axis ? beam->nodes.fy : beam->nodes.fx) + lattice_at(&beam->lattice, 0, j);
     const double drag = beam->damping * beam->def.density;
     double power = 0;
-    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++) {
-        if (!patch_has_row(&s->patch, j))
-            continue;
-        const size_t from = lattice_at(&beam->lattice, s->patch.i, j), end = from + (size_t)s->patch.columns;
-        for (size_t i = from; s->x && s->vx != 0 && i < end; i++)
-            power += (beam->nodes.fx[i] - drag * s->vx) * s->vx;
-        for (size_t i = from; s->y && s->vy != 0 && i < end; i++)
-            power += (beam->nodes.fy[i] - drag * s->vy) * s->vy;
-    }
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        for (int k = 0; (axis ? s->y : s->x) && patch_has_row(&s->patch, j) && k < s->patch.columns; k++) {
+            const int i = s->patch.i + k;
+            const double v = axis ? s->vy : s->vx, pull = f[i] - drag * v;
+            bool counted = false;
+            for (const Support *e = beam->supports; e < s; e++)
+                counted = counted || ((axis ? e->y : e->x) && patch_has(&e->patch, i, j));
+            *force -= counted ? 0 : pull;
+            power += pull * v;
+        }
     return power;
+}
+
+/* Of row j: where supports hold, nothing. */
+static double moved_power(const Beam *beam, int j)
+{
+    double force = 0;
+    return support_power(beam, j, 0, &force) + support_power(beam, j, 1, &force);
 }
 
 void beam_reaction(const Beam *beam, double force[2])
 {
     const NodeArrays *nodes = &beam->nodes;
-    const double drag = beam->damping * beam->def.density, scale = beam_volume(beam) * beam->def.thickness;
+    const double scale = beam_volume(beam) * beam->def.thickness;
     const size_t held = (size_t)beam_held_columns(beam, simulation_time(&beam->sim));
     double x = 0, y = 0;
     for (int j = 0; j < beam->lattice.ny; j++) {
@@ -184,17 +193,8 @@ void beam_reaction(const Beam *beam, double force[2])
         for (int side = 0; side < 2; side++)
             for (int k = 0; k < beam->lattice.images[side]; k++)
                 x -= nodes->fx[row + (size_t)(side ? beam->lattice.nx - 1 - k : k)];
-        for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-            for (int k = 0; patch_has_row(&s->patch, j) && k < s->patch.columns; k++) {
-                const size_t i = row + (size_t)(s->patch.i + k);
-                bool holds_x = s->x, holds_y = s->y;
-                /* a component that two supports hold counts once */
-                for (const Support *e = beam->supports; e < s; e++)
-                    if (patch_has(&e->patch, s->patch.i + k, j))
-                        holds_x = holds_x && !e->x, holds_y = holds_y && !e->y;
-                x -= holds_x ? nodes->fx[i] - drag * s->vx : 0;
-                y -= holds_y ? nodes->fy[i] - drag * s->vy : 0;
-            }
+        support_power(beam, j, 0, &x);
+        support_power(beam, j, 1, &y);
     }
     force[0] = x * scale;
     force[1] = y * scale;
