@@ -78,33 +78,17 @@ size_t beam_small(Simulation *sim, double *x, double unit, bool put)
     return 2 * count;
 }
 
-/* Parameters that a run may change between steps: they are in the state's head, so a snapshot brings back
- * its own. */
-typedef struct LiveParameter {
+/* Parameters that a run may change between steps, those of its problem: they are in the state's head, so a
+ * snapshot brings back its own. */
+static const struct {
     const char *key;
     size_t offset; /* in the state's head */
-    const char *what;
-} LiveParameter;
-
-static const LiveParameter live_on_line[] = {
-    {"load.body_force", offsetof(StateHead, body_force), "a number"},
-    {"load.traction", offsetof(StateHead, load_stress), "a number"},
-    {0},
+} live_parameters[] = {
+    {"load.body_force", offsetof(StateHead, body_force)},
+    {"load.stress", offsetof(StateHead, load_stress)},
+    {"load.traction", offsetof(StateHead, load_stress)},
+    {"pd.critical_stretch", offsetof(StateHead, critical_stretch)},
 };
-static const LiveParameter live_parameters[] = {
-    {"load.body_force", offsetof(StateHead, body_force), "a number in m/s^2"},
-    {"load.stress", offsetof(StateHead, load_stress), "a stress in Pa, on the notched beam"},
-    {"pd.critical_stretch", offsetof(StateHead, critical_stretch), "0 to below 0.5"},
-    {0},
-};
-
-static bool is_allowed(const Beam *beam, const LiveParameter *live, double value)
-{
-    if (live->offset == offsetof(StateHead, critical_stretch))
-        return value >= 0 && value < 0.5;
-    return isfinite(value) && (live->offset != offsetof(StateHead, load_stress) || beam->lattice.line ||
-                               beam->def.problem == BEAM_NOTCHED);
-}
 
 /* Of those that affect neither the start nor a factor. */
 static bool change_mistake(Beam *beam, double value, Status *status)
@@ -138,16 +122,17 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
     Beam *beam = (Beam *)sim;
     if (strcmp(key, "pd.mistake") == 0)
         return change_mistake(beam, value, status);
-    const bool line = beam->lattice.line;
-    for (const LiveParameter *live = line ? live_on_line : live_parameters; live->key; live++) {
-        if (strcmp(live->key, key) != 0)
+    for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
+        if (strcmp(live_parameters[k].key, key) != 0)
             continue;
-        if (bonds_mistake(beam) && live->offset == offsetof(StateHead, critical_stretch) && value != 0)
+        const size_t offset = live_parameters[k].offset;
+        const bool stretch = offset == offsetof(StateHead, critical_stretch);
+        if (stretch && bonds_mistake(beam) && value != 0)
             return status_refuse(status, "pd.mistake: %s is defined for %s = 0 only",
                                  beam->def.conceals_mistake ? "?" : bonds_mistake(beam)->id, key);
-        if (!is_allowed(beam, live, value))
-            return status_refuse(status, "%s: %g is not allowed (%s)", key, value, live->what);
-        memcpy((char *)beam->head + live->offset, &value, sizeof value);
+        if (stretch && !(value >= 0 && value < 0.5))
+            return status_refuse(status, "%s: %g is not allowed (0 to below 0.5)", key, value);
+        memcpy((char *)beam->head + offset, &value, sizeof value);
         set_breaking(beam);
         /* it may move again */
         beam->head->most_kinetic = 0;
@@ -155,11 +140,10 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;
         beam->head->rested = sim->at_rest = false;
         beam_set_stages(beam);
-        if (line && !bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
+        if (beam->lattice.line &&
+            !bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
             find_forces(beam);
         return true;
     }
-    return status_refuse(status, "%s: cannot change in mid-run (%s and pd.mistake can)", key,
-                         line ? "load.body_force, load.traction"
-                              : "load.stress, load.body_force, pd.critical_stretch");
+    return status_refuse(status, "%s: cannot change in mid-run (see: matvib params, marked live)", key);
 }
