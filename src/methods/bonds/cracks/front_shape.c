@@ -82,15 +82,6 @@ int front_groups(const Growth *growth, int front, int line, Group groups[FRONT_G
 
 /* --- as it is now ---------------------------------------------------------------------------- */
 
-static void add_tip(const Beam *beam, CrackFront *front, int line, const Group *group)
-{
-    if (front->n_tips == CRACK_TIPS_MAX)
-        return;
-    double *tip = front->tips[front->n_tips++];
-    tip[front->axis] = front_place(beam, front->axis, line);
-    tip[1 - front->axis] = group->centre;
-}
-
 static bool touch(const Group *a, const Group *b)
 {
     return a->low <= b->high + 1 && b->low <= a->high + 1;
@@ -113,11 +104,15 @@ void front_find_tips(const Growth *growth, int f)
             for (int b = 0; b < n; b++)
                 before[a].successors += touch(&before[a], &now[b]);
         for (int a = 0; a < n_before; a++) {
-            const double at =
-                fabs(front_place(beam, front->axis, line - front->sign) - front->end[front->axis]);
-            const bool farthest = at > front->advance - beam->lattice.spacing / 2;
-            if (before[a].successors == 0 && (farthest || before[a].behind > long_enough))
-                add_tip(beam, front, line - front->sign, &before[a]);
+            const double at = front_place(beam, front->axis, line - front->sign);
+            const bool farthest =
+                fabs(at - front->end[front->axis]) > front->advance - beam->lattice.spacing / 2;
+            if (before[a].successors == 0 && (farthest || before[a].behind > long_enough) &&
+                front->n_tips < CRACK_TIPS_MAX) {
+                double *tip = front->tips[front->n_tips++];
+                tip[front->axis] = at;
+                tip[1 - front->axis] = before[a].centre;
+            }
         }
         for (int b = 0; b < n; b++)
             for (int a = 0; a < n_before; a++)
@@ -127,22 +122,6 @@ void front_find_tips(const Growth *growth, int f)
         memcpy(before, now, sizeof now);
         n_before = n;
     }
-}
-
-/* The damage-weighted centre of a front's cracked nodes on a line; NAN: there are none. */
-static double line_centre(const Growth *growth, int f, int line)
-{
-    const Beam *beam = growth->beam;
-    const int axis = growth->fronts->fronts[f].axis;
-    double sum = 0, weights = 0;
-    for (int k = 0; k < front_lines(beam, 1 - axis); k++) {
-        const size_t node = front_node(beam, axis, line, k);
-        if (growth->front_of[node] != f)
-            continue;
-        sum += beam->damage[node] * front_place(beam, 1 - axis, k);
-        weights += beam->damage[node];
-    }
-    return weights > 0 ? sum / weights : NAN;
 }
 
 bool front_find_lines(const Growth *growth, int f)
@@ -155,11 +134,18 @@ bool front_find_lines(const Growth *growth, int f)
         return false;
     front->centre = front->away + growth->lines + 1;
     for (int line = front_first_line(beam, front); front_has_line(beam, front, line); line += front->sign) {
-        const double centre = line_centre(growth, f, line);
-        if (isnan(centre))
+        double sum = 0, weights = 0;
+        for (int k = 0; k < front_lines(beam, 1 - front->axis); k++) {
+            const size_t node = front_node(beam, front->axis, line, k);
+            if (growth->front_of[node] != f)
+                continue;
+            sum += beam->damage[node] * front_place(beam, 1 - front->axis, k);
+            weights += beam->damage[node];
+        }
+        if (weights == 0)
             continue;
         front->away[front->n_lines] = fabs(front_place(beam, front->axis, line) - front->end[front->axis]);
-        front->centre[front->n_lines++] = centre;
+        front->centre[front->n_lines++] = sum / weights;
     }
     return true;
 }

@@ -301,7 +301,7 @@ double crack_fronts_speed(const CrackFronts *fronts, const CrackFront *front, si
     if (sample < half || sample + half >= fronts->n_samples)
         return NAN;
     for (size_t k = sample - half; k < sample + half; k++)
-        if (front->advances[k + 1] - front->advances[k] > fronts->jump)
+        if (front->advances[k + 1] - front->advances[k] > front->beside)
             return NAN;
     double across[CRACK_FRONT_WINDOW_MAX] = {0};
     return crack_tip_speed(front->advances + (sample - half), across, 2 * half + 1, fronts->every);
@@ -337,7 +337,6 @@ static bool plan_samples(CrackFronts *fronts, const Beam *beam)
     fronts->every = (double)every * dt;
     fronts->window = 2 * (size_t)fmax(1, round(window / fronts->every / 2)) + 1;
     fronts->n_samples = (size_t)(beam->sim.step / every) + 1;
-    fronts->jump = beam->def.horizon;
     for (int f = 0; f < fronts->count; f++)
         if (!(fronts->fronts[f].advances = calloc(fronts->n_samples, sizeof(double))))
             return false;

@@ -75,7 +75,6 @@ typedef struct CrackFronts {
     size_t n_samples;
     double every;   /* s between two samples, the first at t = 0 */
     size_t window;  /* samples over which a speed is taken */
-    double jump;    /* m; more than this from one sample to the next is not growth */
     double length;  /* of all paths, m */
     double surface; /* broken bonds over the bonds that the cuts took for each metre of theirs, m */
 
