@@ -33,16 +33,11 @@ static bool check_loads(const PlateDef *plate, const Lattice *lattice, Status *s
     return true;
 }
 
-static Patch patch_of_region(const Lattice *lattice, const PlateRegion *region, bool inside)
-{
-    return patch_of(lattice, region->x0, region->y0, region->x1, region->y1, inside);
-}
-
 static bool check_regions(const PlateRegion *regions, int count, const char *section, bool inside,
                           const Lattice *lattice, Status *status)
 {
     for (const PlateRegion *region = regions; region < regions + count; region++) {
-        const Patch patch = patch_of_region(lattice, region, inside);
+        const Patch patch = patch_of(lattice, region, inside);
         if (patch_is_empty(&patch))
             return status_refuse(status, "%s.%s: holds no node (at least pd.spacing = %g both ways)", section,
                                  region->name, lattice->spacing);
@@ -57,7 +52,7 @@ static bool check_speeds(const PlateRegion *regions, int count, const char *sect
 {
     for (const PlateRegion *region = regions; region < regions + count; region++) {
         const double speed = math_hypot(region->vx, region->vy);
-        const Patch patch = patch_of_region(lattice, region, false);
+        const Patch patch = patch_of(lattice, region, false);
         const bool whole = patch.columns == lattice->nx && patch.rows == lattice->ny;
         if (!(speed <= fastest) && !(free && whole))
             return status_refuse(status,
@@ -78,7 +73,7 @@ static bool check_overlaps(const PlateDef *plate, const Lattice *lattice, Status
 {
     for (const PlateRegion *b = plate->supports; b < plate->supports + plate->n_supports; b++)
         for (const PlateRegion *a = plate->supports; a < b; a++) {
-            const Patch one = patch_of_region(lattice, a, false), other = patch_of_region(lattice, b, false);
+            const Patch one = patch_of(lattice, a, false), other = patch_of(lattice, b, false);
             if (patches_meet(&one, &other) && (disagree(a->gives_x, a->vx, b->gives_x, b->vx) ||
                                                disagree(a->gives_y, a->vy, b->gives_y, b->vy)))
                 return status_refuse(

@@ -197,13 +197,13 @@ static bool set_plate(Beam *beam, Status *status)
     if (beam->free_body)
         return true;
     for (const PlateRegion *r = plate->supports; r < plate->supports + plate->n_supports; r++)
-        beam->supports[beam->n_supports++] = (Support){patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false),
-                                                       r->gives_x, r->gives_y, r->vx, r->vy};
+        beam->supports[beam->n_supports++] =
+            (Support){patch_of(lattice, r, false), r->gives_x, r->gives_y, r->vx, r->vy};
     for (const PlateLoad *l = plate->loads; l < plate->loads + plate->n_loads; l++)
         beam->loads[beam->n_loads++] =
             (Load){patch_of_edge(lattice, l->edge, l->from, l->to), l->sx, l->sy, l->ramp, l->until};
     for (const PlateRegion *r = plate->unbreakable; r < plate->unbreakable + plate->n_unbreakable; r++) {
-        const Patch patch = patch_of(lattice, r->x0, r->y0, r->x1, r->y1, true);
+        const Patch patch = patch_of(lattice, r, true);
         if (!beam_go_on(beam, BUILDING_CRITICAL, status))
             return false;
         for (int j = patch.j; j < patch.j + patch.rows; j++)
@@ -322,8 +322,7 @@ bool beam_set_motion(Beam *beam, const BeamOptions *options, Status *status)
         }
     const PlateDef *plate = &beam->def.plate;
     for (const PlateRegion *r = plate->impulses; r < plate->impulses + plate->n_impulses; r++)
-        move_patch(beam, patch_of(lattice, r->x0, r->y0, r->x1, r->y1, false), true, true, r->vx, r->vy,
-                   false);
+        move_patch(beam, patch_of(lattice, r, false), true, true, r->vx, r->vy, false);
     /* supports begin as they are to go on, and undeformed; set after the first force instead, the energy
      * would jump */
     for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)

@@ -21,14 +21,14 @@ static void find_range(double low, double high, bool inside, double first, doubl
     }
 }
 
-Patch patch_of(const Lattice *lattice, double x0, double y0, double x1, double y1, bool inside)
+Patch patch_of(const Lattice *lattice, const PlateRegion *region, bool inside)
 {
     ASSERT_REAL(lattice->spacing, >, 0);
     Patch patch;
-    find_range(fmin(x0, x1), fmax(x0, x1), inside, lattice_x(lattice, 0), lattice->spacing, lattice->nx,
-               &patch.i, &patch.columns);
-    find_range(fmin(y0, y1), fmax(y0, y1), inside, lattice_y(lattice, 0), lattice->spacing, lattice->ny,
-               &patch.j, &patch.rows);
+    find_range(fmin(region->x0, region->x1), fmax(region->x0, region->x1), inside, lattice_x(lattice, 0),
+               lattice->spacing, lattice->nx, &patch.i, &patch.columns);
+    find_range(fmin(region->y0, region->y1), fmax(region->y0, region->y1), inside, lattice_y(lattice, 0),
+               lattice->spacing, lattice->ny, &patch.j, &patch.rows);
     return patch;
 }
 
@@ -38,8 +38,9 @@ Patch patch_of_edge(const Lattice *lattice, PlateEdge edge, double from, double 
     const bool level = edge == PLATE_TOP || edge == PLATE_BOTTOM;
     const double across = level ? lattice_y(lattice, edge == PLATE_TOP ? lattice->ny - 1 : 0)
                                 : lattice_x(lattice, edge == PLATE_RIGHT ? lattice->nx - 1 : 0);
-    return level ? patch_of(lattice, from, across, to, across, false)
-                 : patch_of(lattice, across, from, across, to, false);
+    const PlateRegion stretch = level ? (PlateRegion){.x0 = from, .y0 = across, .x1 = to, .y1 = across}
+                                      : (PlateRegion){.x0 = across, .y0 = from, .x1 = across, .y1 = to};
+    return patch_of(lattice, &stretch, false);
 }
 
 bool patch_is_empty(const Patch *patch)

@@ -17,9 +17,9 @@ static inline bool patch_has_row(const Patch *patch, int j)
     return patch->columns > 0 && j >= patch->j && j < patch->j + patch->rows;
 }
 
-/* The nodes from one place to the other, ends included to 1e-6 dx; `inside`: those strictly inside, by as
+/* The nodes of a region, ends included to 1e-6 dx; `inside`: those strictly inside, by as
  * much. May be empty (columns or rows 0). */
-Patch patch_of(const Lattice *, double x0, double y0, double x1, double y1, bool inside);
+Patch patch_of(const Lattice *, const PlateRegion *, bool inside);
 
 /* The nodes of a stretch of an edge: one layer. */
 Patch patch_of_edge(const Lattice *, PlateEdge, double from, double to);
