@@ -11,7 +11,7 @@
  * plane the last stage forgets the grid; supports are a stage of their own on the force, for a channel that
  * draws the beam along does work there, and hold what was mapped again; walls and contact of bodies act once
  * more behind `integrate`. The transfer (FLIP, PIC blend, APIC, FMPM), the masses (lumped, blended) and the
- * law of bodies change what some stages say: one table for each. Of the force stage of a line they say what
+ * law of bodies change what some stages say. Of the force stage of a line they say what
  * is made of f_int and f_ext, loads.c says what these are. The work of a stage is stages.c. */
 #include "methods/mpm/mistakes.h"
 
@@ -22,11 +22,11 @@ typedef enum Wording {
     FLIP,  /* of a line, with lumped masses */
     BLEND, /* a share of PIC */
     APIC_HAT,
-    APIC, /* with other shapes */
-    MASS, /* FLIP with blended masses, M = (1 - mu) M_c + mu M_l */
-    MASS_BLEND,
-    SERIES, /* FMPM(k) */
-    PLANE,  /* of a beam */
+    APIC,       /* with other shapes */
+    MASS,       /* FLIP with blended masses, M = (1 - mu) M_c + mu M_l */
+    MASS_BLEND, /* of the update alone, as the other blends */
+    SERIES,     /* FMPM(k) */
+    PLANE,      /* of a beam */
     PLANE_BLEND,
     PLANE_TURNED, /* the stress turns */
     BODIES,
@@ -37,263 +37,226 @@ typedef enum Wording {
     WORDINGS
 } Wording;
 
-/* FLIP with lumped masses; the other transfers below name only what they change. */
-static const Stage flip[OP_COUNT] = {
-    [OP_MAP] = {"map", "map to nodes", "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i", "eqs. 2, 3",
-                "Each particle maps its mass and its momentum to the nodes around it, weighted with N.",
-                "x mass v", "mass momentum"},
-    [OP_FIX] = {"fix", "boundary conditions", "p_i = 0 at fixed nodes", "paper M, step 2",
-                "A node at a support cannot move: its momentum is set to 0, its mass stays.", "momentum",
-                "momentum velocity"},
-    [OP_STRAIN] = {"strain", "strain and stress",
-                   "v_i = p_i/m_i    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
-                   "eqs. 4, 5, 7, 8, 9",
-                   "Where neighbouring nodes move apart the bar is stretched: "
-                   "the stress of the particles there grows, their density falls.",
-                   "velocity stress density", "strain_increment stress strain density"},
-    [OP_FORCE] = {"force", "nodal forces", "f_i = f_int + f_ext,   f_i = 0 at fixed nodes", "eqs. 10, 11, 12",
-                  "The stress of a particle gives opposite forces on the nodes to its left and to its right.",
-                  "stress density mass", "f_int f_ext f acceleration"},
-    [OP_INTEGRATE] = {"integrate", "integrate momentum", "p_i ← p_i + Δt f_i", "eq. 13",
-                      "Newton's law on the grid: in one time step the force changes the momentum of a node.",
-                      "momentum f", "momentum velocity"},
-    [OP_UPDATE] =
-        {"update", "update particles", "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i",
-         "eqs. 14, 15",
-         "The acceleration of the nodes changes the velocity of a particle; it moves with their velocity.",
-         "f mass momentum velocity", "v x u"},
-    [OP_MAP_AGAIN] = {"map_again", "map again", "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes",
-                      "eq. 3 with the new v_p",
-                      "The particles map their new momentum to the nodes, so that the strain follows from "
-                      "the updated velocities.",
-                      "mass v", "momentum velocity"},
-    [OP_FORGET] = {"forget", "reset the grid", "m_i, p_i, f_i are dropped; the mesh is where it was",
-                   "paper M, after eq. 15",
-                   "The particles keep the whole state; the mesh begins the next step empty and undistorted.",
-                   "x", "cell"},
-};
-
-/* With a share of PIC. */
-static const Stage blend[OP_COUNT] = {
-    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
-                               "x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .source = "eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
-                               "motion in the null space."},
-};
-
-/* APIC with hats. */
-static const Stage apic_hat[OP_COUNT] = {
-    [OP_MAP] = {.equation = "m_i = Σ m_p N_i      p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i",
-                .source = "eqs. 2, 3 with APIC",
-                .sentence = "Each particle maps its mass and its momentum to the nodes around it; C is its "
-                            "velocity gradient.",
-                .reads = "x mass v affine"},
-    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .source = "APIC, eq. 15",
-                   .sentence = "A particle takes its velocity and the velocity gradient from its nodes.",
-                   .reads = "mass momentum velocity",
-                   .writes = "v affine x u"},
-    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i,   p_i = 0 at fixed nodes",
-                      .source = "eq. 3 with the new v_p and C_p",
-                      .reads = "mass v affine"},
-};
-
-/* APIC with other shapes. */
-static const Stage apic[OP_COUNT] = {
-    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i    C_p = Σ N_i v_i d_i / Σ N_i d_i²    d_i = x_i - x_p\n"
-                               "x_p ← x_p + Δt Σ N_i p_i/m_i"},
-};
-
-/* FLIP with blended masses, M = (1 - mu) M_c + mu M_l. */
-static const Stage mass[OP_COUNT] = {
-    [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      M v = p\n"
-                            "M = (1 - μ) M_c + μ M_l      M_c = Σ m_p N_i N_j",
-                .source = "paper M, step 2, with a mass blend",
-                .sentence = "A node at a support cannot move; the velocities of all others solve one system, "
-                            "because the mass matrix couples neighbours."},
-    [OP_STRAIN] = {.equation = "M v = p    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
-                   .source = "eqs. 5, 7, 8, 9"},
-    [OP_FORCE] = {.equation = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .sentence = "The stress of the particles gives forces on the nodes; the accelerations of "
-                              "all nodes solve one system."},
-    [OP_INTEGRATE] =
-        {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i,   so that M v = p",
-         .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node, "
-                     "the acceleration its velocity.",
-         .reads = "momentum f acceleration"},
-    [OP_UPDATE] = {.equation = "v_p ← v_p + Δt Σ N_i a_i      x_p ← x_p + Δt Σ N_i v_i",
-                   .reads = "acceleration velocity"},
-    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      M v = p"},
-};
-
-/* Blended masses and a share of PIC. */
-static const Stage mass_blend[OP_COUNT] = {
-    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i a_i) + (1 - α) Σ N_i v_i\n"
-                               "x_p ← x_p + Δt Σ N_i v_i",
-                   .source = "eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
-                               "motion in the null space."},
-};
-
-/* FMPM(k). */
-static const Stage series[OP_COUNT] = {
-    [OP_FIX] = {.equation = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
-                            "d_j+1 = d_j - Σ m_p N_i (Σ N_n d_j)/m_i,   0 at fixed nodes",
-                .source = "paper M, step 2, with FMPM(k)",
-                .sentence = "A node at a support cannot move; each term of the series restores a part of "
-                            "what mapping to particles and back removes.",
-                .reads = "momentum mass"},
-    [OP_STRAIN] = {.equation = "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)"},
-    [OP_FORCE] = {.equation = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
-                  .sentence = "The stress of the particles gives forces on the nodes; accelerations follow "
-                              "from forces as velocities do from momenta."},
-    [OP_INTEGRATE] = {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p"},
-    [OP_UPDATE] = {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
-                   .source = "FMPM",
-                   .sentence = "A particle takes its velocity from its nodes, without null-space motion, and "
-                               "moves with the mean of old and new.",
-                   .reads = "velocity v"},
-    [OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
-};
-
+#define SHARE_OF_PIC                                                                                         \
+    "A particle takes part of its velocity from its nodes, which filters out motion in the null space."
 #define WALL_EQUATION "wall: d ≤ gap, q·n > 0: q·n → 0, |qₜ| falls by ≤ μ q·n"
 #define FIX_EQUATION                                                                                         \
     "contact: d ≤ 2 gap, vₙ > 0: a gives b m_a (vₙ n + min(1, μ vₙ/|vₜ|) vₜ)\n" WALL_EQUATION                \
     "      vₙ = (v_a - v)·n"
 
-static const Stage plane[OP_COUNT] = {
-    [OP_MAP] = {NULL, NULL, "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i      N_i = N_x N_y",
-                "paper M, eqs. 2, 3, in the plane", NULL, "x y mass vx vy", "mass px py"},
-    [OP_FIX] = {"hold", "supports", "held: p_x = m_i v₀,  p_y = 0", "paper M, step 2; paper P, eqs. 12, 13",
-                "A node held by a support or by the channel moves with it.", "mass px py", "px py vx vy"},
-    [OP_STRAIN] = {NULL, NULL,
-                   "v_i = p_i/m_i    Δε = Δt sym(Σ ∇N_i v_i)    σ ← σ + D Δε    ρ ← ρ/(1 + tr Δε)",
-                   "paper M, eqs. 4 to 9, plane stress",
-                   "Where neighbouring nodes move apart or slide past each other the beam is strained, and "
-                   "the stress of the particles there changes.",
-                   "vx vy sxx syy sxy density", "exx eyy gxy sxx syy sxy density"},
-    [OP_FORCE] = {NULL, NULL, "f_i = -Σ σ_p · ∇N_i m_p/ρ_p", "paper M, eq. 10, in the plane",
-                  "The stress of the particles gives forces on the nodes along and across the beam.",
-                  "sxx syy sxy density mass", "fx fy"},
-    [OP_FIX_FORCE] =
+/* What each of them says; a member that is not said is as in the one that it is like. */
+static const Stage stages[WORDINGS][OP_COUNT] = {
+    /* along a line */
+    [FLIP][OP_MAP] = {"map", "map to nodes", "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i", "eqs. 2, 3",
+                      "Each particle maps its mass and its momentum to the nodes around it, weighted with N.",
+                      "x mass v", "mass momentum"},
+    [FLIP][OP_FIX] = {"fix", "boundary conditions", "p_i = 0 at fixed nodes", "paper M, step 2",
+                      "A node at a support cannot move: its momentum is set to 0, its mass stays.",
+                      "momentum", "momentum velocity"},
+    [FLIP][OP_STRAIN] = {"strain", "strain and stress",
+                         "v_i = p_i/m_i    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
+                         "eqs. 4, 5, 7, 8, 9",
+                         "Where neighbouring nodes move apart the bar is stretched: "
+                         "the stress of the particles there grows, their density falls.",
+                         "velocity stress density", "strain_increment stress strain density"},
+    [FLIP][OP_FORCE] =
+        {"force", "nodal forces", "f_i = f_int + f_ext,   f_i = 0 at fixed nodes", "eqs. 10, 11, 12",
+         "The stress of a particle gives opposite forces on the nodes to its left and to its right.",
+         "stress density mass", "f_int f_ext f acceleration"},
+    [FLIP][OP_INTEGRATE] =
+        {"integrate", "integrate momentum", "p_i ← p_i + Δt f_i", "eq. 13",
+         "Newton's law on the grid: in one time step the force changes the momentum of a node.", "momentum f",
+         "momentum velocity"},
+    [FLIP][OP_UPDATE] =
+        {"update", "update particles", "v_p ← v_p + Δt Σ N_i f_i/m_i      x_p ← x_p + Δt Σ N_i p_i/m_i",
+         "eqs. 14, 15",
+         "The acceleration of the nodes changes the velocity of a particle; it moves with their velocity.",
+         "f mass momentum velocity", "v x u"},
+    [FLIP][OP_MAP_AGAIN] =
+        {"map_again", "map again", "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes", "eq. 3 with the new v_p",
+         "The particles map their new momentum to the nodes, so that the strain follows from "
+         "the updated velocities.",
+         "mass v", "momentum velocity"},
+    [FLIP][OP_FORGET] =
+        {"forget", "reset the grid", "m_i, p_i, f_i are dropped; the mesh is where it was",
+         "paper M, after eq. 15",
+         "The particles keep the whole state; the mesh begins the next step empty and undistorted.", "x",
+         "cell"},
+    [BLEND][OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
+                                      "x_p ← x_p + Δt Σ N_i p_i/m_i",
+                          .source = "eqs. 14, 15 with PIC",
+                          .sentence = SHARE_OF_PIC},
+    [APIC_HAT][OP_MAP] = {.equation = "m_i = Σ m_p N_i      p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i",
+                          .source = "eqs. 2, 3 with APIC",
+                          .sentence =
+                              "Each particle maps its mass and its momentum to the nodes around it; C is its "
+                              "velocity gradient.",
+                          .reads = "x mass v affine"},
+    [APIC_HAT][OP_UPDATE] = {.equation =
+                                 "v_p = Σ N_i v_i    C_p = Σ N_i′ v_i    x_p ← x_p + Δt Σ N_i p_i/m_i",
+                             .source = "APIC, eq. 15",
+                             .sentence =
+                                 "A particle takes its velocity and the velocity gradient from its nodes.",
+                             .reads = "mass momentum velocity",
+                             .writes = "v affine x u"},
+    [APIC_HAT][OP_MAP_AGAIN] = {.equation =
+                                    "p_i = Σ m_p (v_p + C_p (x_i - x_p)) N_i,   p_i = 0 at fixed nodes",
+                                .source = "eq. 3 with the new v_p and C_p",
+                                .reads = "mass v affine"},
+    [APIC][OP_UPDATE] = {.equation =
+                             "v_p = Σ N_i v_i    C_p = Σ N_i v_i d_i / Σ N_i d_i²    d_i = x_i - x_p\n"
+                             "x_p ← x_p + Δt Σ N_i p_i/m_i"},
+    [MASS][OP_FIX] = {.equation = "p_i = 0 at fixed nodes      M v = p\n"
+                                  "M = (1 - μ) M_c + μ M_l      M_c = Σ m_p N_i N_j",
+                      .source = "paper M, step 2, with a mass blend",
+                      .sentence =
+                          "A node at a support cannot move; the velocities of all others solve one system, "
+                          "because the mass matrix couples neighbours."},
+    [MASS][OP_STRAIN] = {.equation = "M v = p    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)",
+                         .source = "eqs. 5, 7, 8, 9"},
+    [MASS][OP_FORCE] = {.equation = "M a = f,   f_i = f_int + f_ext,   no a_i at fixed nodes",
+                        .sentence =
+                            "The stress of the particles gives forces on the nodes; the accelerations of "
+                            "all nodes solve one system."},
+    [MASS][OP_INTEGRATE] =
+        {.equation = "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i,   so that M v = p",
+         .sentence = "Newton's law on the grid: in one time step the force changes the momentum of a node, "
+                     "the acceleration its velocity.",
+         .reads = "momentum f acceleration"},
+    [MASS][OP_UPDATE] = {.equation = "v_p ← v_p + Δt Σ N_i a_i      x_p ← x_p + Δt Σ N_i v_i",
+                         .reads = "acceleration velocity"},
+    [MASS][OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      M v = p"},
+    [MASS_BLEND][OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i a_i) + (1 - α) Σ N_i v_i\n"
+                                           "x_p ← x_p + Δt Σ N_i v_i",
+                               .reads = "acceleration velocity"},
+    [SERIES][OP_FIX] = {.equation = "p_i = 0 at fixed nodes      v = d_1 + ... + d_k,  d_1 = p/m\n"
+                                    "d_j+1 = d_j - Σ m_p N_i (Σ N_n d_j)/m_i,   0 at fixed nodes",
+                        .source = "paper M, step 2, with FMPM(k)",
+                        .sentence =
+                            "A node at a support cannot move; each term of the series restores a part of "
+                            "what mapping to particles and back removes.",
+                        .reads = "momentum mass"},
+    [SERIES][OP_STRAIN] = {.equation =
+                               "v of FMPM(k)    Δε = Δt Σ N_i′ v_i    σ ← σ + E Δε    ρ ← ρ/(1 + Δε)"},
+    [SERIES][OP_FORCE] = {.equation = "a: the series of f_i = f_int + f_ext,   no a_i at fixed nodes",
+                          .sentence =
+                              "The stress of the particles gives forces on the nodes; accelerations follow "
+                              "from forces as velocities do from momenta."},
+    [SERIES][OP_INTEGRATE] = {.equation =
+                                  "p_i ← p_i + Δt f_i      v_i ← v_i + Δt a_i: the series of the new p"},
+    [SERIES][OP_UPDATE] = {.equation = "v_p = Σ N_i v_i      x_p ← x_p + Δt (v_p before + v_p)/2",
+                           .source = "FMPM",
+                           .sentence =
+                               "A particle takes its velocity from its nodes, without null-space motion, and "
+                               "moves with the mean of old and new.",
+                           .reads = "velocity v"},
+    [SERIES][OP_MAP_AGAIN] = {.equation = "p_i = Σ m_p v_p N_i,   p_i = 0 at fixed nodes      v of FMPM(k)"},
+
+    /* of beams */
+    [PLANE][OP_MAP] = {NULL, NULL, "m_i = Σ m_p N_i      p_i = Σ m_p v_p N_i      N_i = N_x N_y",
+                       "paper M, eqs. 2, 3, in the plane", NULL, "x y mass vx vy", "mass px py"},
+    [PLANE][OP_FIX] = {"hold", "supports", "held: p_x = m_i v₀,  p_y = 0",
+                       "paper M, step 2; paper P, eqs. 12, 13",
+                       "A node held by a support or by the channel moves with it.", "mass px py",
+                       "px py vx vy"},
+    [PLANE][OP_STRAIN] =
+        {NULL, NULL, "v_i = p_i/m_i    Δε = Δt sym(Σ ∇N_i v_i)    σ ← σ + D Δε    ρ ← ρ/(1 + tr Δε)",
+         "paper M, eqs. 4 to 9, plane stress",
+         "Where neighbouring nodes move apart or slide past each other the beam is strained, and "
+         "the stress of the particles there changes.",
+         "vx vy sxx syy sxy density", "exx eyy gxy sxx syy sxy density"},
+    [PLANE][OP_FORCE] = {NULL, NULL, "f_i = -Σ σ_p · ∇N_i m_p/ρ_p", "paper M, eq. 10, in the plane",
+                         "The stress of the particles gives forces on the nodes along and across the beam.",
+                         "sxx syy sxy density mass", "fx fy"},
+    [PLANE][OP_FIX_FORCE] =
         {"hold_force", "supports on the force", "held: work ← work - f_x v₀ Δt,  then f = 0",
          "paper M, step 5",
          "Supports carry the force of the nodes that they hold; a channel that moves the beam does work.",
          "fx fy", "fx fy ax ay"},
-    [OP_INTEGRATE] = {NULL, NULL, NULL, "paper M, eq. 13", NULL, "px py fx fy", "px py vx vy"},
-    [OP_UPDATE] = {NULL, NULL, NULL, "paper M, eqs. 14, 15",
-                   "The acceleration of the nodes changes the velocity of a particle; it moves with their "
-                   "velocity. Then the grid is reset.",
-                   "ax ay vx vy", "vx vy x y ux uy"},
-    [OP_MAP_AGAIN] = {NULL, NULL, "p_i = Σ m_p v_p N_i", "paper M, eq. 3 with the new v_p", NULL,
-                      "mass vx vy", "px py"},
-    [OP_FIX_AGAIN] = {"hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0", "as before",
-                      "The new momentum is constrained as before.", "mass px py", "px py vx vy"},
-};
+    [PLANE][OP_INTEGRATE] = {NULL, NULL, NULL, "paper M, eq. 13", NULL, "px py fx fy", "px py vx vy"},
+    [PLANE][OP_UPDATE] =
+        {NULL, NULL, NULL, "paper M, eqs. 14, 15",
+         "The acceleration of the nodes changes the velocity of a particle; it moves with their "
+         "velocity. Then the grid is reset.",
+         "ax ay vx vy", "vx vy x y ux uy"},
+    [PLANE][OP_MAP_AGAIN] = {NULL, NULL, "p_i = Σ m_p v_p N_i", "paper M, eq. 3 with the new v_p", NULL,
+                             "mass vx vy", "px py"},
+    [PLANE][OP_FIX_AGAIN] = {"hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0", "as before",
+                             "The new momentum is constrained as before.", "mass px py", "px py vx vy"},
+    [PLANE_BLEND][OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
+                                            "x_p ← x_p + Δt Σ N_i p_i/m_i",
+                                .source = "paper M, eqs. 14, 15 with PIC",
+                                .sentence = SHARE_OF_PIC " Then the grid is reset."},
+    [PLANE_TURNED][OP_STRAIN] =
+        {.equation = "L = Σ (p_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    ρ ← ρ/(1 + Δt tr L)",
+         .source = "paper M, eqs. 4 to 9; Hughes, Winget 1980"},
 
-static const Stage plane_blend[OP_COUNT] = {
-    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
-                               "x_p ← x_p + Δt Σ N_i p_i/m_i",
-                   .source = "paper M, eqs. 14, 15 with PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
-                               "motion in the null space. Then the grid is reset."},
-};
-
-static const Stage plane_turned[OP_COUNT] = {
-    [OP_STRAIN] = {.equation = "L = Σ (p_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    ρ ← ρ/(1 + Δt tr L)",
-                   .source = "paper M, eqs. 4 to 9; Hughes, Winget 1980"},
-};
-
-static const Stage bodies[OP_COUNT] = {
-    [OP_MAP] =
+    /* of bodies */
+    [BODIES][OP_MAP] =
         {NULL, NULL, "m_i = Σ m_p N_i      q_i = Σ m_p v_p N_i      N_i = N_x N_y",
          "Sulsky, Chen, Schreyer 1994",
          "Each particle maps its mass and its momentum to the nodes around it, each body to its own field.",
          NULL, "mass px py nx ny"},
-    [OP_FIX] = {"fix", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
-                "A wall cancels the momentum out of the box; where two bodies share a node and approach each "
-                "other, an impulse between them stops the approach.",
-                "mass px py nx ny", NULL},
-    [OP_STRAIN] = {NULL, NULL, "L = Σ (q_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
-                   "Hughes, Winget 1980",
-                   "Where neighbouring nodes move apart, slide past each other or turn, the particles "
-                   "between them are strained and turned, and their stress changes.",
-                   NULL, "sxx syy sxy density"},
-    [OP_FORCE] = {NULL, NULL, "f_i = Σ (m_p g N_i - V_p σ_p · ∇N_i)", "Sulsky, Chen, Schreyer 1994",
-                  "The weight and the stress of the particles give forces on the nodes.", NULL, NULL},
-    [OP_INTEGRATE] = {NULL, NULL, "q_i ← q_i + Δt (f_i - α q_i)", "Newton",
-                      "In one time step the force changes the momentum of a node.", NULL, NULL},
-    [OP_FIX_MOVED] = {"fix_moved", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
-                      "The same conditions, for the momentum that the forces have changed.",
-                      "mass px py nx ny", "px py vx vy"},
-    [OP_UPDATE] =
+    [BODIES][OP_FIX] =
+        {"fix", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
+         "A wall cancels the momentum out of the box; where two bodies share a node and approach each "
+         "other, an impulse between them stops the approach.",
+         "mass px py nx ny", NULL},
+    [BODIES][OP_STRAIN] =
+        {NULL, NULL, "L = Σ (q_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    V ← V (1 + Δt tr L)",
+         "Hughes, Winget 1980",
+         "Where neighbouring nodes move apart, slide past each other or turn, the particles "
+         "between them are strained and turned, and their stress changes.",
+         NULL, "sxx syy sxy density"},
+    [BODIES][OP_FORCE] = {NULL, NULL, "f_i = Σ (m_p g N_i - V_p σ_p · ∇N_i)", "Sulsky, Chen, Schreyer 1994",
+                          "The weight and the stress of the particles give forces on the nodes.", NULL, NULL},
+    [BODIES][OP_INTEGRATE] = {NULL, NULL, "q_i ← q_i + Δt (f_i - α q_i)", "Newton",
+                              "In one time step the force changes the momentum of a node.", NULL, NULL},
+    [BODIES][OP_FIX_MOVED] = {"fix_moved", "walls and contact", FIX_EQUATION,
+                              "Bardenhagen, Brackbill, Sulsky 2000",
+                              "The same conditions, for the momentum that the forces have changed.",
+                              "mass px py nx ny", "px py vx vy"},
+    [BODIES][OP_UPDATE] =
         {NULL, NULL, "v_p ← v_p + Σ N_i (q_i - q0_i)/m_i      x_p ← x_p + Δt Σ N_i q_i/m_i", "FLIP",
          "A particle takes the change of the nodal velocities in this step, and moves with the nodes.",
          "px py vx vy", NULL},
-    [OP_MAP_AGAIN] = {NULL, NULL, "q_i = Σ m_p v_p N_i", "MUSL", NULL, NULL, NULL},
-    [OP_FIX_AGAIN] = {"fix_again", "walls and contact", FIX_EQUATION, "Bardenhagen, Brackbill, Sulsky 2000",
-                      NULL, "mass px py nx ny", NULL},
-};
-
-static const Stage bodies_blend[OP_COUNT] = {
-    [OP_UPDATE] = {.equation = "v_p ← α (v_p + Σ N_i (q_i - q0_i)/m_i) + (1 - α) Σ N_i q_i/m_i\n"
-                               "x_p ← x_p + Δt Σ N_i q_i/m_i",
-                   .source = "FLIP with a share of PIC",
-                   .sentence = "A particle takes part of its velocity from its nodes, which filters out "
-                               "motion in the null space."},
-};
-
-static const Stage bodies_apic[OP_COUNT] = {
-    [OP_MAP] = {.equation =
-                    "m_i = Σ m_p N_i      q_i = Σ m_p N_i (v_p + B_p D⁻¹ (x_i - x_p))      N_i = N_x N_y",
-                .source = "Jiang et al. 2015",
-                .sentence = "Each particle maps its mass and its momentum, with the velocity gradient, to "
-                            "the nodes around it."},
-    [OP_UPDATE] =
+    [BODIES][OP_MAP_AGAIN] = {NULL, NULL, "q_i = Σ m_p v_p N_i", "MUSL", NULL, NULL, NULL},
+    [BODIES][OP_FIX_AGAIN] = {"fix_again", "walls and contact", FIX_EQUATION,
+                              "Bardenhagen, Brackbill, Sulsky 2000", NULL, "mass px py nx ny", NULL},
+    [BODIES_BLEND][OP_UPDATE] = {.equation =
+                                     "v_p ← α (v_p + Σ N_i (q_i - q0_i)/m_i) + (1 - α) Σ N_i q_i/m_i\n"
+                                     "x_p ← x_p + Δt Σ N_i q_i/m_i",
+                                 .source = "FLIP with a share of PIC",
+                                 .sentence = SHARE_OF_PIC},
+    [BODIES_APIC][OP_MAP] =
+        {.equation = "m_i = Σ m_p N_i      q_i = Σ m_p N_i (v_p + B_p D⁻¹ (x_i - x_p))      N_i = N_x N_y",
+         .source = "Jiang et al. 2015",
+         .sentence = "Each particle maps its mass and its momentum, with the velocity gradient, to "
+                     "the nodes around it."},
+    [BODIES_APIC][OP_UPDATE] =
         {.equation = "v_p ← Σ N_i q_i/m_i      B_p ← Σ N_i (q_i/m_i) (x_i - x_p)ᵀ      x_p ← x_p + Δt v_p",
          .source = "Jiang et al. 2015",
          .sentence =
              "A particle takes the velocity of its nodes and its gradient, so that rotation is kept."},
+    [BODIES_UNTURNED][OP_STRAIN] =
+        {.equation = "L = Σ (q_i/m_i) ⊗ ∇N_i      σ ← σ + D Δt sym L      V ← V (1 + Δt tr L)",
+         .source = "the stress does not turn with the body"},
+    [BODIES_NEO][OP_STRAIN] =
+        {.equation = "L = Σ v_i ⊗ ∇N_i  F ← (I + Δt L) F  J = det F  σ = (G (FFᵀ - I) + λ ln J I)/J",
+         .source = "compressible neo-Hookean law"},
 };
-
-static const Stage bodies_unturned[OP_COUNT] = {
-    [OP_STRAIN] = {.equation = "L = Σ (q_i/m_i) ⊗ ∇N_i      σ ← σ + D Δt sym L      V ← V (1 + Δt tr L)",
-                   .source = "the stress does not turn with the body"},
-};
-
-static const Stage bodies_neo[OP_COUNT] = {
-    [OP_STRAIN] = {.equation =
-                       "L = Σ v_i ⊗ ∇N_i  F ← (I + Δt L) F  J = det F  σ = (G (FFᵀ - I) + λ ln J I)/J",
-                   .source = "compressible neo-Hookean law"},
-};
-
-/* In each a member that is not said is as in the one that it is like. */
-static const struct {
-    const Stage *stages;
-    Wording like;
-} wordings[WORDINGS] = {[FLIP] = {flip, FLIP},
-                        [BLEND] = {blend, FLIP},
-                        [APIC_HAT] = {apic_hat, FLIP},
-                        [APIC] = {apic, APIC_HAT},
-                        [MASS] = {mass, FLIP},
-                        [MASS_BLEND] = {mass_blend, MASS},
-                        [SERIES] = {series, MASS},
-                        [PLANE] = {plane, FLIP},
-                        [PLANE_BLEND] = {plane_blend, PLANE},
-                        [PLANE_TURNED] = {plane_turned, PLANE},
-                        [BODIES] = {bodies, PLANE},
-                        [BODIES_BLEND] = {bodies_blend, BODIES},
-                        [BODIES_APIC] = {bodies_apic, BODIES},
-                        [BODIES_UNTURNED] = {bodies_unturned, BODIES},
-                        [BODIES_NEO] = {bodies_neo, BODIES}};
+/* FLIP where no other one is named. */
+static const Wording like[WORDINGS] = {
+    [APIC] = APIC_HAT,          [MASS_BLEND] = BLEND, [SERIES] = MASS,         [PLANE_BLEND] = PLANE,
+    [PLANE_TURNED] = PLANE,     [BODIES] = PLANE,     [BODIES_BLEND] = BODIES, [BODIES_APIC] = BODIES,
+    [BODIES_UNTURNED] = BODIES, [BODIES_NEO] = BODIES};
 
 static Stage stage_of(Wording wording, MpmOp op)
 {
-    Stage stage = wordings[wording].stages[op];
+    Stage stage = stages[wording][op];
     while (wording != FLIP) {
-        wording = wordings[wording].like;
-        stage_complete(&stage, &wordings[wording].stages[op]);
+        wording = like[wording];
+        stage_complete(&stage, &stages[wording][op]);
     }
     return stage;
 }
@@ -302,7 +265,7 @@ static Stage stage_of(Wording wording, MpmOp op)
 static Wording wording_of(const Mpm *mpm, MpmOp op)
 {
     const MpmHead *head = mpm->head;
-    const bool flips = head->flip_fraction == 1.0, strains = op == OP_STRAIN;
+    const bool flips = op != OP_UPDATE || head->flip_fraction == 1.0, strains = op == OP_STRAIN;
     if (mpm->bodies && strains)
         return bodies_are_neo(mpm)                  ? BODIES_NEO
                : mpm->def.rotation == ROTATION_NONE ? BODIES_UNTURNED
