@@ -11,43 +11,6 @@ size_t mpm_lasting_bytes(const Mpm *mpm, const MpmHead *head)
     return head->transfer == MPM_APIC ? mpm->bytes_apic : mpm->bytes_flip;
 }
 
-/* sum m a over particles [first, end) of one material */
-static double sum_moment(const Mpm *mpm, const double *a, int which, int first, int end)
-{
-    double moment[MPM_LANES] = {0};
-    int p = first;
-    for (; p + MPM_LANES <= end; p += MPM_LANES)
-        for (int lane = 0; lane < MPM_LANES; lane++)
-            moment[lane] += a[p + lane];
-    for (int lane = 0; p + lane < end; lane++)
-        moment[lane] += a[p + lane];
-    return mpm->mass[which] * mpm_fold(moment);
-}
-
-static double sum_moments(const Mpm *mpm, const double *a)
-{
-    const double first = sum_moment(mpm, a, 0, 0, mpm->joint);
-    return mpm->joint < mpm->n_particles ? first + sum_moment(mpm, a, 1, mpm->joint, mpm->n_particles)
-                                         : first;
-}
-
-double mpm_moment(const Mpm *mpm)
-{
-    return sum_moments(mpm, mpm->u[0]);
-}
-
-double mpm_momentum(const Mpm *mpm, int axis)
-{
-    return sum_moments(mpm, mpm->v[axis]);
-}
-
-/* Supports are the only other thing that changes the particles' momentum: what is internal adds up to 0. */
-double mpm_reaction(const Mpm *mpm, int axis, double momentum)
-{
-    const double before = mpm->sim.step > 0 ? mpm->head->momentum[axis] : momentum;
-    return (momentum - before) / mpm->dt - (axis == 0 ? mpm->head->pushed : 0.0);
-}
-
 bool mpm_holds_momentum(const Mpm *mpm, MpmOp stage, int node)
 {
     return mpm_held(mpm, mpm->sim.step, node) && !mpm_does(mpm, WRONG_HOLDS_NEVER) &&

@@ -468,9 +468,7 @@ static inline double mpm_fold(const double *lanes)
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
-double mpm_moment(const Mpm *); /* sum m u along a line */
-double mpm_momentum(const Mpm *, int axis);
-double mpm_reaction(const Mpm *, int axis, double momentum); /* momentum: that of now */
+double mpm_sum(const Mpm *, const double *of); /* sum m a over all particles: of v the momentum */
 void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */

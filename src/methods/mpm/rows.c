@@ -52,33 +52,47 @@ static double affine_energy(const Mpm *mpm, int p)
     return 0.5 * mpm_mass(mpm, p) * (spread * (speed * speed));
 }
 
-typedef struct Sums {
-    double momentum, moment, kinetic, strain;
-} Sums;
-
-/* Over particles [first, end) of one material: sum m v, sum m u, and energies. */
-static Sums sum_material(const Mpm *mpm, int which, int first, int end)
+/* sum m a over particles [first, end) of one material */
+static double sum_material(const Mpm *mpm, const double *a, int which, int first, int end)
 {
-    double momentum[MPM_LANES] = {0}, moment[MPM_LANES] = {0}, squares[MPM_LANES] = {0};
-    double strain[MPM_LANES] = {0};
-    const double *const u = mpm->u[0], *const v = mpm->v[0], *const stress = mpm->stress[0];
-    const double *const volume = mpm->volume, m = mpm->mass[which];
-#define ADD(lane, p)                                                                                         \
-    do {                                                                                                     \
-        momentum[lane] += v[p];                                                                              \
-        moment[lane] += u[p];                                                                                \
-        squares[lane] += v[p] * v[p];                                                                        \
-        strain[lane] += stress[p] * stress[p] * volume[p];                                                   \
-    } while (0)
+    double sum[MPM_LANES] = {0};
     int p = first;
     for (; p + MPM_LANES <= end; p += MPM_LANES)
         for (int lane = 0; lane < MPM_LANES; lane++)
-            ADD(lane, p + lane);
+            sum[lane] += a[p + lane];
     for (int lane = 0; p + lane < end; lane++)
-        ADD(lane, p + lane);
-#undef ADD
-    return (Sums){m * mpm_fold(momentum), m * mpm_fold(moment), 0.5 * m * mpm_fold(squares),
-                  mpm_fold(strain) / (2.0 * mpm->modulus[which])};
+        sum[lane] += a[p + lane];
+    return mpm->mass[which] * mpm_fold(sum);
+}
+
+double mpm_sum(const Mpm *mpm, const double *a)
+{
+    const double first = sum_material(mpm, a, 0, 0, mpm->joint);
+    return mpm->joint < mpm->n_particles ? first + sum_material(mpm, a, 1, mpm->joint, mpm->n_particles)
+                                         : first;
+}
+
+typedef struct Energies {
+    double kinetic, strain;
+} Energies;
+
+/* Of particles [first, end) of one material, along a line. */
+static Energies energies_of_material(const Mpm *mpm, int which, int first, int end)
+{
+    double squares[MPM_LANES] = {0}, strain[MPM_LANES] = {0};
+    const double *const v = mpm->v[0], *const stress = mpm->stress[0], *const volume = mpm->volume;
+    int p = first;
+    for (; p + MPM_LANES <= end; p += MPM_LANES)
+        for (int lane = 0; lane < MPM_LANES; lane++) {
+            squares[lane] += v[p + lane] * v[p + lane];
+            strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
+        }
+    for (int lane = 0; p + lane < end; lane++) {
+        squares[lane] += v[p + lane] * v[p + lane];
+        strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
+    }
+    return (Energies){0.5 * mpm->mass[which] * mpm_fold(squares),
+                      mpm_fold(strain) / (2.0 * mpm->modulus[which])};
 }
 
 /* Of a beam in plane stress s.D^-1 s/2 times its volume, J. */
@@ -125,9 +139,10 @@ static BodySums sum_bodies(const Mpm *mpm, int first, int end)
     return sum;
 }
 
-static Sums sum_beam(const Mpm *mpm)
+/* Of beams and bodies, without the common speed. */
+static Energies energies_in_plane(const Mpm *mpm)
 {
-    Sums sums = {0};
+    Energies sums = {0};
     for (int p = 0; p < mpm->n_particles; p++) {
         const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
         sums.kinetic += vx * vx + vy * vy;
@@ -137,15 +152,13 @@ static Sums sum_beam(const Mpm *mpm)
     return sums;
 }
 
-static Sums sum_particles(const Mpm *mpm)
+static Energies energies_of(const Mpm *mpm)
 {
     if (mpm->dim == 2)
-        return sum_beam(mpm);
-    Sums sums = sum_material(mpm, 0, 0, mpm->joint);
+        return energies_in_plane(mpm);
+    Energies sums = energies_of_material(mpm, 0, 0, mpm->joint);
     if (mpm->joint < mpm->n_particles) {
-        const Sums more = sum_material(mpm, 1, mpm->joint, mpm->n_particles);
-        sums.momentum += more.momentum;
-        sums.moment += more.moment;
+        const Energies more = energies_of_material(mpm, 1, mpm->joint, mpm->n_particles);
         sums.kinetic += more.kinetic;
         sums.strain += more.strain;
     }
@@ -157,11 +170,7 @@ static Sums sum_particles(const Mpm *mpm)
 
 double mpm_energy(const Mpm *mpm)
 {
-    if (mpm->bodies) {
-        const BodySums sum = sum_bodies(mpm, 0, mpm->n_particles);
-        return 0.5 * mpm->mass[0] * sum.squares + sum.strain;
-    }
-    const Sums sums = sum_particles(mpm);
+    const Energies sums = energies_of(mpm);
     return sums.kinetic + sums.strain;
 }
 
@@ -179,14 +188,23 @@ static double kinetic_grid(const Mpm *mpm)
     return 0.5 * sum * mpm->def.thickness;
 }
 
-static double rate_of_centre(const Mpm *mpm, double moment)
+static double rate_of_centre(const Mpm *mpm)
 {
     double momentum = 0.0;
     if (mpm->sim.step > 0)
-        return (moment - mpm->head->moment) / (mpm->whole_mass * mpm->dt);
+        return (mpm_sum(mpm, mpm->u[0]) - mpm->head->moment) / (mpm->whole_mass * mpm->dt);
     for (int i = 0; i < mpm->n_nodes; i++)
         momentum += mpm->node_mass[i] * mpm->velocity[0][i];
     return momentum / mpm->whole_mass;
+}
+
+/* Supports are the only thing beside the loads that changes the particles' momentum: what is internal adds up
+ * to 0. */
+static double reaction(const Mpm *mpm, int axis)
+{
+    const double now = mpm_sum(mpm, mpm->v[axis]),
+                 before = mpm->sim.step > 0 ? mpm->head->momentum[axis] : now;
+    return (now - before) / mpm->dt - (axis == 0 ? mpm->head->pushed : 0.0);
 }
 
 /* The probe is the mean of up to four particles beside the point. */
@@ -376,16 +394,16 @@ static double null_energy(Mpm *mpm, double kinetic, bool whole)
                              : NAN;
 }
 
-static double value_of(Mpm *mpm, Entry entry, const Sums *sums, bool whole)
+static double value_of(Mpm *mpm, Entry entry, const Energies *sums, bool whole)
 {
     const int axis = entry == MOMENTUM_Y || entry == REACTION_Y;
     switch (entry) {
     case V_CM:
-        return sums->momentum / mpm->whole_mass;
+        return mpm_sum(mpm, mpm->v[0]) / mpm->whole_mass;
     case X_CM:
-        return mpm->x_cm_start + sums->moment / mpm->whole_mass;
+        return mpm->x_cm_start + mpm_sum(mpm, mpm->u[0]) / mpm->whole_mass;
     case X_CM_RATE:
-        return rate_of_centre(mpm, sums->moment);
+        return rate_of_centre(mpm);
     case KINETIC:
         return sums->kinetic;
     case KINETIC_GRID:
@@ -400,10 +418,10 @@ static double value_of(Mpm *mpm, Entry entry, const Sums *sums, bool whole)
         return sums->kinetic + sums->strain;
     case MOMENTUM_X:
     case MOMENTUM_Y:
-        return mpm->def.thickness * mpm_momentum(mpm, axis);
+        return mpm->def.thickness * mpm_sum(mpm, mpm->v[axis]);
     case REACTION_X:
     case REACTION_Y:
-        return mpm->def.thickness * mpm_reaction(mpm, axis, mpm_momentum(mpm, axis));
+        return mpm->def.thickness * reaction(mpm, axis);
     case U_PROBE:
         return probe(mpm, mpm->u[1]);
     case V_PROBE:
@@ -469,7 +487,7 @@ void mpm_write_row(Mpm *mpm, double *row, bool whole)
             row[k] = is_touching(mpm, (mpm->series_entry[k] - OF_BODIES) / (BODY_TOUCHING + 1));
         return;
     }
-    const Sums sums = sum_particles(mpm);
+    const Energies sums = energies_of(mpm);
     for (int k = 0; k < mpm->sim.n_series; k++)
         row[k] = value_of(mpm, (Entry)mpm->series_entry[k], &sums, whole);
 }

@@ -587,13 +587,13 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
     if (op == OP_FORCE && mpm->dim == 1 && mpm_is_loaded(mpm))
         memset(mpm->load, 0, bytes);
     if (op == OP_UPDATE && mpm->dim == 1 && mpm->notes_sums) {
-        mpm->head->moment = mpm_moment(mpm);
+        mpm->head->moment = mpm_sum(mpm, mpm->u[0]);
         mpm->head->pushed = 0.0;
         for (int i = 0; mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
             mpm->head->pushed += mpm->load[i];
     }
     for (int axis = 0; op == OP_UPDATE && mpm->notes_sums && !mpm->bodies && axis < mpm->dim; axis++)
-        mpm->head->momentum[axis] = mpm_momentum(mpm, axis);
+        mpm->head->momentum[axis] = mpm_sum(mpm, mpm->v[axis]);
     mpm_find_held(mpm, step);
     if (op == OP_FIX_FORCE)
         add_push(mpm);
