@@ -86,7 +86,7 @@ static PlainNode *plain_weights(Plain *plain, const PlainParticle *p, MpmWeights
         exit(1);
     }
     const int i = (int)rx, j = (int)ry;
-    mpm_weights(plane, 2, plane->shape, plane->half, 0, (const double[]){rx - i, ry - j}, w);
+    *w = mpm_weights(plane, plane->half, 0, (const double[]){rx - i, ry - j});
     return &plain->nodes[j * plane->gx + i];
 }
 

@@ -45,7 +45,7 @@ bool mpm_find_all(Mpm *mpm)
 
 bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
 {
-    const int gx = mpm->dim == 2 ? mpm->gx : mpm->n_nodes, now = mpm->base[particle];
+    const int gx = mpm->gx, now = mpm->base[particle];
     const int from[MPM_AXES] = {old % gx, old / gx}, to[MPM_AXES] = {now % gx, now / gx};
     bool crosses = false;
     for (int axis = 0; axis < mpm->dim; axis++)

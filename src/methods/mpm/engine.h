@@ -334,11 +334,10 @@ static inline double mpm_half(const Mpm *mpm, int particle)
     return mpm->shape == MPM_CPDI ? mpm->domain[particle] : mpm->half;
 }
 
-MPM_INLINE void mpm_weights(const Mpm *mpm, const int dim, const MpmShape shape, double half, int base,
-                            const double *s, MpmWeights *w)
+/* Nodes that a particle touches across the first axis: one of a line. */
+static inline int mpm_across(const Mpm *mpm)
 {
-    for (int axis = 0; axis < dim; axis++)
-        shape_at(shape, half, mpm->cells, dim == 2 ? 2 : base, s[axis], w->n[axis], w->dn[axis]);
+    return mpm->dim == 2 ? mpm->support : 1;
 }
 
 /* D/dx^2 of APIC along an axis in the plane, sum N (x_i - x)^2: of hats s (1 - s), of splines 1/4 everywhere.
@@ -353,8 +352,12 @@ MPM_INLINE double mpm_spread(const MpmShape shape, double edge, double s, const 
     return sum;
 }
 
-/* N and N' of a particle. */
+/* N and N' at a place s beside its first node, and of a particle; across a line 1 and 0. */
+MpmWeights mpm_weights(const Mpm *, double half, int base, const double *s);
 MpmWeights mpm_weights_of(const Mpm *, int particle);
+
+/* The velocity of a node by which a particle is strained: of bodies its own where the node is light. */
+double mpm_straining_velocity(const Mpm *, int axis, int particle, int node);
 
 /* The strain of this step, from the velocities that make it: xx, yy and gamma xy; of a line the first. */
 void mpm_strain_step(const Mpm *, int particle, double e[MPM_STRESSES]);
@@ -517,12 +520,6 @@ bool bodies_hold(const BodyDef *, double x, double y);
 static inline bool bodies_are_neo(const Mpm *mpm)
 {
     return mpm->bodies && mpm->def.law == LAW_NEO_HOOKEAN;
-}
-
-/* The velocity of a node by which a particle is strained: its own where the node is light. */
-static inline double bodies_velocity_for(const Mpm *mpm, int axis, int node, int p)
-{
-    return mpm->inverse[node] > 0.0 ? mpm->velocity[axis][node] : mpm->v[axis][p];
 }
 
 /* The body that a particle belongs to. */

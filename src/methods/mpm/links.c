@@ -6,19 +6,16 @@
 
 /* The nodes of a place; those with neither weight nor slope are left out: a box far from its last node has no
  * part in it. */
-static size_t links_at(const Mpm *mpm, double half, int base, const double *s, Link *out, size_t max)
+static size_t links_at(const Mpm *mpm, const MpmWeights *w, int base, Link *out, size_t max)
 {
-    const int across = mpm->dim == 2 ? mpm->support : 1;
-    MpmWeights w;
     size_t count = 0;
-    mpm_weights(mpm, mpm->dim, mpm->shape, half, base, s, &w);
-    for (int b = 0; b < across; b++)
+    for (int b = 0; b < mpm_across(mpm); b++)
         for (int a = 0; a < mpm->support && count < max; a++) {
-            const double ny = mpm->dim == 2 ? w.n[1][b] : 1.0, dny = mpm->dim == 2 ? w.dn[1][b] : 0.0;
-            const Link link = {.set = MPM_NODES,
-                               .index = (size_t)(base + b * mpm->gx + a),
-                               .weight = w.n[0][a] * ny,
-                               .gradient = {w.dn[0][a] * ny / mpm->dx, w.n[0][a] * dny / mpm->dx}};
+            const Link link = {
+                .set = MPM_NODES,
+                .index = (size_t)(base + b * mpm->gx + a),
+                .weight = w->n[0][a] * w->n[1][b],
+                .gradient = {w->dn[0][a] * w->n[1][b] / mpm->dx, w->n[0][a] * w->dn[1][b] / mpm->dx}};
             if (link.weight != 0.0 || link.gradient[0] != 0.0 || link.gradient[1] != 0.0)
                 out[count++] = link;
         }
@@ -27,8 +24,8 @@ static size_t links_at(const Mpm *mpm, double half, int base, const double *s, L
 
 static size_t links_of(const Mpm *mpm, int p, Link *out, size_t max)
 {
-    const double s[MPM_AXES] = {mpm->s[0][p], mpm->dim == 2 ? mpm->s[1][p] : 0.0};
-    return links_at(mpm, mpm_half(mpm, p), mpm->base[p], s, out, max);
+    const MpmWeights w = mpm_weights_of(mpm, p);
+    return links_at(mpm, &w, mpm->base[p], out, max);
 }
 
 /* Along a line particles are in order: the first whose nodes reach so far, by bisection. */
@@ -101,5 +98,6 @@ size_t mpm_shapes(const Simulation *sim, const double *place, Link *out, size_t 
         s[axis] = r - node[axis];
     }
     const int base = node[1] * mpm->gx + node[0];
-    return links_at(mpm, half_near(mpm, base, s[0]), base, s, out, max);
+    const MpmWeights w = mpm_weights(mpm, half_near(mpm, base, s[0]), base, s);
+    return links_at(mpm, &w, base, out, max);
 }

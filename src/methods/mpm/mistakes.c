@@ -195,25 +195,27 @@ double mpm_moving_velocity(const Mpm *mpm, int axis, int particle, int node)
                                                     : carry;
 }
 
+double mpm_straining_velocity(const Mpm *mpm, int axis, int p, int node)
+{
+    double v[SHAPE_SUPPORT_MAX];
+    if (mpm->dim == 2)
+        return mpm->bodies && !(mpm->inverse[node] > 0.0) ? mpm->v[axis][p] : mpm->velocity[axis][node];
+    mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, mpm->base[p], v);
+    return v[node - mpm->base[p]];
+}
+
 /* Eqs. 5 to 7: dt sym(sum v_i grad N_i), along a line dt sum N'_i v_i. */
 void mpm_strain_step(const Mpm *mpm, int p, double e[MPM_STRESSES])
 {
     const MpmWeights w = mpm_weights_of(mpm, p);
     const double rate = mpm_strain_span(mpm) * mpm_slope_scale(mpm, OP_STRAIN);
-    double v[SHAPE_SUPPORT_MAX];
     e[0] = e[1] = e[2] = 0.0;
-    if (mpm->dim == 1)
-        mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, mpm->base[p], v);
-    for (int b = 0; b < (mpm->dim == 1 ? 1 : mpm->support); b++)
+    for (int b = 0; b < mpm_across(mpm); b++)
         for (int a = 0; a < mpm->support; a++) {
-            if (mpm->dim == 1) {
-                e[0] += w.dn[0][a] * v[a];
-                continue;
-            }
             const int i = mpm->base[p] + b * mpm->gx + a;
             const double bx = w.dn[0][a] * w.n[1][b], by = w.n[0][a] * w.dn[1][b];
-            const double x = mpm->bodies ? bodies_velocity_for(mpm, 0, i, p) : mpm->velocity[0][i];
-            const double y = mpm->bodies ? bodies_velocity_for(mpm, 1, i, p) : mpm->velocity[1][i];
+            const double x = mpm_straining_velocity(mpm, 0, p, i);
+            const double y = mpm->dim == 2 ? mpm_straining_velocity(mpm, 1, p, i) : 0.0;
             e[0] += bx * x;
             e[1] += by * y;
             e[2] += by * x + bx * y;
@@ -271,10 +273,9 @@ void mpm_move_with_mapped(Mpm *mpm)
         const MpmWeights w = mpm_weights_of(mpm, p);
         for (int axis = 0; axis < mpm->dim; axis++) {
             double sum = 0.0;
-            for (int b = 0; b < (mpm->dim == 1 ? 1 : mpm->support); b++)
+            for (int b = 0; b < mpm_across(mpm); b++)
                 for (int a = 0; a < mpm->support; a++)
-                    sum += w.n[0][a] * (mpm->dim == 1 ? 1.0 : w.n[1][b]) *
-                           mpm->velocity[axis][mpm->base[p] + b * mpm->gx + a];
+                    sum += w.n[0][a] * w.n[1][b] * mpm->velocity[axis][mpm->base[p] + b * mpm->gx + a];
             mpm->u[axis][p] += mpm->dt * sum;
         }
     }

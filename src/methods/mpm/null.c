@@ -78,10 +78,9 @@ double mpm_line_null_energy(const Mpm *mpm)
     int node = 0; /* of the triangle's first row */
     for (int p = 0; p < mpm->n_particles; p++) {
         const int base = mpm->base[p];
-        MpmWeights w;
+        MpmWeights w = mpm_weights_of(mpm, p);
         for (; node < base; node++)
             shift(&rows, mpm->support);
-        mpm_weights(mpm, 1, mpm->shape, mpm_half(mpm, p), base, &mpm->s[0][p], &w);
         for (int a = 0; a < mpm->support; a++)
             w.n[0][a] *= mpm_moves(mpm, base + a);
         sum += add_row(&rows, mpm->support, mpm_mass(mpm, p), w.n[0], mpm->v[0][p]);

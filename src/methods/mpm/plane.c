@@ -120,10 +120,9 @@ static Strain strain_of_nodes(const Mpm *mpm, int p)
 {
     const MpmDef *def = &mpm->def;
     Strain strain = {0, 0, 0};
-    MpmWeights w;
     const int i = (int)mpm->rest[0][p], j = (int)mpm->rest[1][p];
     const double s[MPM_AXES] = {mpm->rest[0][p] - i, mpm->rest[1][p] - j};
-    mpm_weights(mpm, 2, mpm->shape, mpm->half, 0, s, &w);
+    const MpmWeights w = mpm_weights(mpm, mpm->half, 0, s);
     for (int a = 0; a < mpm->support; a++) {
         const double x = mpm->xmin + (i + a) * mpm->dx;
         if (def->leaves_channel && x <= 1e-6 * mpm->dx)

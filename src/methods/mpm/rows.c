@@ -40,12 +40,11 @@
 /* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
 static double affine_energy(const Mpm *mpm, int p)
 {
-    MpmWeights w;
-    const int base = mpm->base[p];
-    double s = mpm->s[0][p], spread = 0.0;
-    mpm_weights(mpm, 1, mpm->shape, mpm_half(mpm, p), base, &s, &w);
+    const MpmWeights w = mpm_weights_of(mpm, p);
+    double spread = 0.0;
     for (int a = 0; a < mpm->support; a++) {
-        const double arm = shape_node_offset(mpm->shape, mpm->half, mpm->cells, base, a) - s;
+        const double arm =
+            shape_node_offset(mpm->shape, mpm->half, mpm->cells, mpm->base[p], a) - mpm->s[0][p];
         spread += w.n[0][a] * (arm * arm);
     }
     const double speed = mpm->affine[p] * mpm->dx;

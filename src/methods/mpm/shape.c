@@ -77,10 +77,17 @@ double shape_node_offset(MpmShape shape, double half, int cells, int cell, int a
     return sum / degree;
 }
 
+MpmWeights mpm_weights(const Mpm *mpm, double half, int base, const double *s)
+{
+    MpmWeights w = {.n[1][0] = 1.0};
+    for (int axis = 0; axis < mpm->dim;
+         axis++) /* in the plane B-splines stay as they are at the grid's ends */
+        shape_at(mpm->shape, half, mpm->cells, mpm->dim == 2 ? 2 : base, s[axis], w.n[axis], w.dn[axis]);
+    return w;
+}
+
 MpmWeights mpm_weights_of(const Mpm *mpm, int p)
 {
     const double s[MPM_AXES] = {mpm->s[0][p], mpm->dim == 2 ? mpm->s[1][p] : 0.0};
-    MpmWeights w;
-    mpm_weights(mpm, mpm->dim, mpm->shape, mpm_half(mpm, p), mpm->base[p], s, &w);
-    return w;
+    return mpm_weights(mpm, mpm_half(mpm, p), mpm->base[p], s);
 }

@@ -190,9 +190,9 @@ static double gain_of(const Mpm *mpm, int axis, int p, int node, const MpmWeight
 {
     const double alpha = mpm->head->flip_fraction, *const kick = mpm->kick[axis], *const v = mpm->carry[axis];
     double kicks = 0.0, mean = 0.0;
-    for (int b = 0; b < (mpm->dim == 2 ? mpm->support : 1); b++)
+    for (int b = 0; b < mpm_across(mpm); b++)
         for (int a = 0; a < mpm->support; a++) {
-            const double N = mpm->dim == 2 ? w->n[0][a] * w->n[1][b] : w->n[0][a];
+            const double N = w->n[0][a] * w->n[1][b];
             kicks += N * kick[mpm->base[p] + b * mpm->gx + a];
             mean += N * v[mpm->base[p] + b * mpm->gx + a];
         }
@@ -211,16 +211,6 @@ static double kick_weight(const Mpm *mpm, int p, int node, double weight)
     return node >= base && node < base + mpm->support ? n[node - base] : 0.0;
 }
 
-/* The velocity of a node (a, b) by which a particle is strained. */
-static double straining_velocity(const Mpm *mpm, int axis, int p, int node, int a)
-{
-    double v[SHAPE_SUPPORT_MAX];
-    if (mpm->dim == 2)
-        return mpm->bodies ? bodies_velocity_for(mpm, axis, node, p) : mpm->velocity[axis][node];
-    mpm_line_velocities(mpm->shape, mpm->velocity[0], mpm->inverse, mpm->base[p], v);
-    return v[a];
-}
-
 /* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
  * particle's cell. */
 int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *link,
@@ -231,18 +221,17 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *
     ASSERT_INDEX(link->index, sim->counts[link->set]);
     const Mpm *mpm = mpm_of_const(sim);
     const MpmExchange *of = &mpm->terms[exchange];
-    const bool plane = mpm->dim == 2, own = link->set == MPM_NODES;
+    const bool own = link->set == MPM_NODES;
     const int p = (int)(own ? index : link->index), node = (int)(own ? link->index : index);
     const int base = mpm->base[p];
-    const int gx = plane ? mpm->gx : mpm->n_nodes, axis = of->axis;
+    const int gx = mpm->gx, axis = of->axis;
     const int at[2] = {node % gx - base % gx, node / gx - base / gx};
-    if (!at_hand(mpm, of) || at[0] < 0 || at[0] >= mpm->support || at[1] < 0 ||
-        at[1] >= (plane ? mpm->support : 1))
+    if (!at_hand(mpm, of) || at[0] < 0 || at[0] >= mpm->support || at[1] < 0 || at[1] >= mpm_across(mpm))
         return 0;
     const MpmWeights w = mpm_weights_of(mpm, p);
     const double *const n = w.n[0], *const dn = w.dn[0];
-    const double ny = plane ? w.n[1][at[1]] : 1.0, N = n[at[0]] * ny;
-    const double slope[2] = {dn[at[0]] * ny, plane ? n[at[0]] * w.dn[1][at[1]] : 0.0}, m = mpm_mass(mpm, p);
+    const double ny = w.n[1][at[1]], N = n[at[0]] * ny, m = mpm_mass(mpm, p);
+    const double slope[2] = {dn[at[0]] * ny, n[at[0]] * w.dn[1][at[1]]};
     switch (of->term) {
     case TERM_MASS:
         return exchange_two(factors, m, N);
@@ -253,7 +242,7 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *
         const double V = mpm_force_volume(mpm, p);
         double stress[MPM_STRESSES];
         mpm_force_stress(mpm, p, stress);
-        if (!plane)
+        if (mpm->dim == 1)
             return exchange_three(factors, scale * slope[0], stress[0], V);
         const double weight = mpm->bodies ? m / V * N * mpm->def.gravity[axis] : 0.0;
         return exchange_two(factors,
@@ -263,12 +252,12 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *
         return exchange_two(factors, N, mpm_load_on(mpm, p));
     case TERM_STRAIN:
         return exchange_three(factors, mpm_strain_span(mpm), mpm_slope_scale(mpm, OP_STRAIN) * slope[axis],
-                              straining_velocity(mpm, axis, p, node, at[0]));
+                              mpm_straining_velocity(mpm, axis, p, node));
     case TERM_SHEAR:
         return exchange_two(factors, mpm_strain_span(mpm),
                             mpm_slope_scale(mpm, OP_STRAIN) *
-                                (slope[1] * straining_velocity(mpm, 0, p, node, at[0]) +
-                                 slope[0] * straining_velocity(mpm, 1, p, node, at[0])));
+                                (slope[1] * mpm_straining_velocity(mpm, 0, p, node) +
+                                 slope[0] * mpm_straining_velocity(mpm, 1, p, node)));
     case TERM_VELOCITY:
         if (mpm->head->transfer != MPM_FLIP || mpm->head->flip_fraction == 0.0)
             return exchange_two(factors, N, mpm->carry[axis][node]);
