@@ -57,7 +57,7 @@ void bar_derive(Mpm *mpm)
     mpm->fixed_left = left ? 1 + ghosts : 0;
     mpm->fixed_right = right ? 1 + ghosts : 0;
     mpm->stays = mpm_does(mpm, WRONG_STAYS_IN_CELL);
-    mpm->half = mean ? 0.5 : mpm_box_half(mpm);
+    mpm->half = mean ? 0.5 : mpm->half;
     mpm->edge = mpm->shape == MPM_GIMP ? 1.0 - mpm->half : 0.0;
     mpm->low[0] = mpm->edge;
     mpm->high[0] = mpm->cells + mpm->edge;

@@ -87,7 +87,6 @@ void bodies_derive(Mpm *mpm)
     mpm->volume_start = mpm->spacing * mpm->spacing;
     mpm->mass[0] = def->density * mpm->volume_start;
     mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
-    mpm->half = mpm_box_half(mpm);
     mpm->box[0] = (int)lround(def->length / mpm->dx);
     mpm->box[1] = (int)lround(def->height / mpm->dx);
     mpm->n_fields = def->fields == FIELDS_EACH ? def->n_bodies : 1;

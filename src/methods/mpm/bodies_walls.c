@@ -18,7 +18,6 @@
 #include "methods/mpm/mistakes.h"
 
 #include <stdio.h>
-#include <string.h>
 
 bool bodies_at_wall(const Mpm *mpm, int node)
 {
@@ -137,11 +136,14 @@ static void touch(Mpm *mpm, int node)
 static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
 {
     const bool strains = op != OP_FIX_MOVED || mpm->head->algorithm != MPM_USF;
+    const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
     for (int axis = 0; axis < 2; axis++)
         for (int i = first; i < end; i++) {
             const double v = mpm->momentum[axis][i] * mpm->inverse[i];
             if (strains)
                 mpm->velocity[axis][i] = v;
+            if (late)
+                mpm->start[axis][i] = mpm->momentum[axis][i];
             if (op != OP_FIX_MOVED)
                 continue;
             mpm->carry[axis][i] = v;
@@ -169,12 +171,6 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
         }
     for (int i = first; mpm->n_fields > 1 && !idle && i < end; i++)
         touch(mpm, i);
-    const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
-    for (int field = 0; late && field < mpm->n_fields; field++)
-        for (int axis = 0; axis < 2; axis++)
-            memcpy(mpm->start[axis] + field * mpm->grid_nodes + first,
-                   mpm->momentum[axis] + field * mpm->grid_nodes + first,
-                   (size_t)(end - first) * sizeof(double));
     for (int field = 0; field < mpm->n_fields; field++)
         find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
 }

@@ -35,9 +35,8 @@ bool mpm_find_all(Mpm *mpm)
         mpm->spans[k] = (MpmSpan){INT_MAX, 0};
         for (int row = 0; row < chunk->rows; row++) {
             const int first = chunk->first + row * chunk->stride, end = first + chunk->count;
-            inside =
-                mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &mpm->spans[k], NULL) == end &&
-                inside;
+            inside = mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &mpm->spans[k], NULL) < 0 &&
+                     inside;
         }
     }
     return inside;

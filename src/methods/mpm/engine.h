@@ -276,8 +276,8 @@ bool mpm_crosses(const Mpm *, int particle, int old, const double *s);
 /* Finds the first node of each of some particles and its place s beside it on the grid of a step, of which
  * `shift` is the way; CPDI's domain is as long as the particle: the volume of a unit of cross-section is a
  * length. Widens the span of their first nodes; crossed[p] becomes 2 where it was 0 and the particle has come
- * into another cell (NULL: nobody asks). Returns the first particle that is outside, which stays where it
- * was, else `end`. */
+ * into another cell (NULL: nobody asks). Returns the first particle that is outside, or of a line overtaken,
+ * which stays where it was; -1: there is none. */
 MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, double shift, int first, int end,
                               MpmSpan *span, uint8_t *crossed)
 {
@@ -322,7 +322,7 @@ MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, dou
     for (int k = first; shape == MPM_CPDI && k < p; k++)
         mpm->domain[k] = 0.5 * mpm->volume[k] * inverse;
     *span = (MpmSpan){low, high};
-    return p;
+    return p < end ? p : -1;
 }
 
 /* The places of all at the beginning of a step, when the state was put back. False: one is outside. */

@@ -61,31 +61,23 @@ static size_t columns_of(const char *text)
 }
 
 /* "f_int = ...    f_ext = A + B", the second in a line of its own where both are too long for one, then the
- * stage's own `whole`, in which f_ext stands only if there is one. */
-static const char *equation_of(char out[FORCE_WORDS_MAX], const char *internal, const char *external,
-                               const char *whole)
-{
-    enum { LINE = 76 };
-    static const char second[] = " + f_ext";
-    const char *at = strstr(whole, second);
-    out[0] = '\0';
-    if (*external)
-        text_append(out, FORCE_WORDS_MAX, "%s%sf_ext = %s\n%s", internal,
-                    columns_of(internal) + columns_of("    f_ext = ") + columns_of(external) > LINE ? "\n"
-                                                                                                    : "    ",
-                    external, whole);
-    else
-        text_append(out, FORCE_WORDS_MAX, "%s\n%.*s%s", internal, (int)(at ? at - whole : 0), whole,
-                    at ? at + strlen(second) : whole);
-    return out;
-}
-
+ * stage's own equation, in which f_ext stands only if there is one. */
 void mpm_word_forces(Mpm *mpm, Stage *stage)
 {
+    enum { LINE = 76 };
+    static const char internal[] = "f_int = -Σ N_i′ σ_p m_p/ρ_p", second[] = " + f_ext";
     const ForceTerms forces = mpm_forces(mpm);
     ForceWords *words = &mpm->force_words, terms;
+    const char *const whole = stage->equation, *const at = strstr(whole, second);
     forces_word(&forces, &terms);
     *words = terms;
-    stage->equation =
-        equation_of(words->equation, "f_int = -Σ N_i′ σ_p m_p/ρ_p", terms.equation, stage->equation);
+    words->equation[0] = '\0';
+    const bool fits = columns_of(internal) + columns_of("    f_ext = ") + columns_of(terms.equation) <= LINE;
+    if (*terms.equation)
+        text_append(words->equation, sizeof words->equation, "%s%sf_ext = %s\n%s", internal,
+                    fits ? "    " : "\n", terms.equation, whole);
+    else
+        text_append(words->equation, sizeof words->equation, "%s\n%.*s%s", internal,
+                    (int)(at ? at - whole : 0), whole, at ? at + strlen(second) : whole);
+    stage->equation = words->equation;
 }

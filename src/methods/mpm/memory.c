@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a simulation is made, and its memory and state: one block of arrays, of which a snapshot between steps
- * is the first part, the particles, in the middle of a step all of it. Then what is asked of the state in
- * mid-step, whatever the order of the stages: for what front ends read; the stages themselves need little of
- * it. */
+ * is the first part, the particles, in the middle of a step all of it. */
 #include "base/assertion.h"
 #include "methods/mpm/mistakes.h"
 
@@ -311,6 +309,8 @@ void mpm_derive(Mpm *mpm, const MpmDef *given)
     mpm->support = shape_support(def->shape);
     mpm->dt = mpm_time_step(def);
     mpm->wrong = mpm_wrong_with(mpm, def->mistake);
+    const double width = mpm_does(mpm, WRONG_BOX_WHOLE) ? 2 : mpm_does(mpm, WRONG_BOX_QUARTER) ? 0.5 : 1;
+    mpm->half = 0.5 / def->particles_per_cell * width;
     mpm->shear = E / (2 * (1 + nu));
     mpm->slide = mpm_does(mpm, WRONG_TENSOR_SHEAR) ? 0.5 * mpm->shear : mpm->shear;
     mpm->lambda = E * nu / ((1 + nu) * (1 - 2 * nu));

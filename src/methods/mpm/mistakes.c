@@ -247,13 +247,10 @@ void mpm_force_stress(const Mpm *mpm, int particle, double stress[MPM_STRESSES])
 
 void mpm_kick_weights(const Mpm *mpm, int particle, int *base, double n[SHAPE_SUPPORT_MAX])
 {
-    *base = mpm->base[particle];
-    double s = mpm->s[0][particle], dn[SHAPE_SUPPORT_MAX];
-    if (mpm_does(mpm, WRONG_NEW_WEIGHTS)) {
-        const double r = mpm->rest[0][particle] + mpm->u[0][particle] / mpm->dx; /* perhaps beyond the mesh */
-        *base = (int)fmin(fmax(floor(r), 0.0), ceil(mpm->high[0]) - 1.0);
-        s = fmin(fmax(r - *base, 0.0), 1.0);
-    }
+    const double r = mpm->rest[0][particle] + mpm->u[0][particle] / mpm->dx; /* perhaps beyond the mesh */
+    double s, dn[SHAPE_SUPPORT_MAX];
+    *base = (int)fmin(fmax(floor(r), 0.0), ceil(mpm->high[0]) - 1.0);
+    s = fmin(fmax(r - *base, 0.0), 1.0);
     shape_at(mpm->shape, mpm_half(mpm, particle), mpm->cells, *base, s, n, dn);
 }
 
@@ -300,9 +297,7 @@ bool mpm_change_mistake(Mpm *mpm, int mistake, Status *status)
     mpm->wrong = mpm_wrong_with(mpm, mistake);
     if (!mpm_can_keep(mpm))
         return true;
-    memset(mpm->kept_mass, 0, (size_t)mpm->n_nodes * sizeof(double));
-    for (int axis = 0; axis < mpm->dim; axis++)
-        memset(mpm->kept_momentum[axis], 0, (size_t)mpm->n_nodes * sizeof(double));
+    memset(mpm->block + mpm->bytes_apic, 0, mpm->bytes_kept - mpm->bytes_apic);
     for (int p = 0; p < mpm->n_particles; p++)
         mpm->kept_volume[p] = mpm_does(mpm, WRONG_VOLUME_LATE) ? mpm->volume[p] : 0.0;
     return true;

@@ -115,21 +115,14 @@ static inline double mpm_volume_behind(const Mpm *mpm, double volume, double str
            : mpm_does(mpm, WRONG_VOLUME_DIVIDED) ? volume / stretch
                                                  : volume * stretch;
 }
-/* The half-width of a uGIMP box over dx. */
-static inline double mpm_box_half(const Mpm *mpm)
-{
-    return 0.5 / mpm->def.particles_per_cell *
-           (mpm_does(mpm, WRONG_BOX_WHOLE)     ? 2
-            : mpm_does(mpm, WRONG_BOX_QUARTER) ? 0.5
-                                               : 1);
-}
 double mpm_strain_span(const Mpm *);        /* dt */
 double mpm_slope_scale(const Mpm *, MpmOp); /* 1/dx: of dN/dx over dN/ds, in the strain or the force */
 double mpm_force_volume(const Mpm *, int particle); /* m/rho */
 void mpm_force_stress(const Mpm *, int particle, double stress[MPM_STRESSES]);
 double mpm_force_share(const Mpm *); /* -1, by which f_int is N' stress volume; */
 double mpm_load_share(const Mpm *);  /* and 1, by which f_ext is the load */
-/* N of the nodes by which a particle takes its velocity, and the first of these; what it takes. */
+/* N of the nodes at a particle's new place, by which it takes its velocity, and the first of these; what it
+ * takes. */
 void mpm_kick_weights(const Mpm *, int particle, int *base, double n[SHAPE_SUPPORT_MAX]);
 double mpm_kick_at_new_place(const Mpm *, int particle);
 /* The velocity of a node, or of the particle itself, by which it moves. */

@@ -53,7 +53,6 @@ void plane_derive(Mpm *mpm)
     mpm->mass[0] =
         def->density * mpm->spacing * mpm->spacing * (mpm_does(mpm, WRONG_MASS_OF_CELL) ? P * P : 1);
     mpm->floor = 1e-12 * def->density * mpm->dx * mpm->dx;
-    mpm->half = mpm_box_half(mpm);
     mpm->nxp = columns * P;
     mpm->nyp = rows * P;
     mpm->joint = mpm->n_particles = mpm->nxp * mpm->nyp;

@@ -541,19 +541,6 @@ MPM_INLINE void update(Mpm *mpm, const int dim, const MpmShape shape, const Kind
     }
 }
 
-/* --- the end of the step ---------------------------------------------------------------------------- */
-
-/* The grid is forgotten: where the particles lie on that of the next step. All must be on it, and along a
- * line in their order; the first time that one enters another cell is noted. Returns the first particle that
- * is not where it must be; -1: there is none. */
-MPM_INLINE int settle(Mpm *mpm, const int dim, const MpmShape shape, const Kind kind, double shift,
-                      MpmSpan *span, int first, int end)
-{
-    const int bad =
-        mpm_set_places(mpm, dim, shape, shift, first, end, span, kind == BODIES ? NULL : mpm->crossed);
-    return bad < end ? bad : -1;
-}
-
 /* --- the stages by their name ----------------------------------------------------------------------- */
 
 bool mpm_op_gives(MpmOp op)
@@ -620,8 +607,9 @@ int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
     case OP_UPDATE:
         BY_SHAPE(mpm, update(mpm, dim, shape, kind, first, end))
         break;
-    case OP_FORGET:
-        BY_SHAPE(mpm, bad = settle(mpm, dim, shape, kind, mpm_shift(mpm, task.step + 1), span, first, end))
+    case OP_FORGET: /* the grid: where the particles lie on that of the next step */
+        BY_SHAPE(mpm, bad = mpm_set_places(mpm, dim, shape, mpm_shift(mpm, task.step + 1), first, end, span,
+                                           kind == BODIES ? NULL : mpm->crossed))
         break;
     default:
         break;

@@ -71,23 +71,6 @@ static void do_item(Mpm *mpm, MpmTask task, int item)
     }
 }
 
-/* The work of a stage on items [first, end), serially; an item is a chunk, or as great a share of the nodes.
- */
-static bool mpm_do(Mpm *mpm, MpmTask task, int first, int end, Status *status)
-{
-    const MpmOp op = task.op;
-    ASSERT_INT(first, >=, 0);
-    ASSERT_INT(first, <=, end);
-    ASSERT_INT(end, <=, mpm->n_chunks);
-    if (first == 0)
-        mpm_begin_stage(mpm, op, task.step);
-    for (int item = first; item < end; item++)
-        do_item(mpm, task, item);
-    if (!judge(mpm, op, first, end, status))
-        return false;
-    return end < mpm->n_chunks || mpm_end_stage(mpm, op, status);
-}
-
 /* Some stages that follow each other on each chunk, or on as great a share of the nodes. */
 typedef struct Group {
     Mpm *mpm;
@@ -178,11 +161,13 @@ static bool check_energy(Mpm *mpm, Status *status)
     return batch_check_energy(&mpm->sim, &mpm->head->growth, &now, status);
 }
 
-/* One stage on its items [first, end), for the stage stepper (method.h). The energy is
- * checked behind the last stage. */
+/* One stage on its items [first, end), serially, for the stage stepper (method.h); an item is a chunk, or as
+ * great a share of the nodes. The energy is checked behind the last stage. */
 bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *status)
 {
     ASSERT_INDEX(stage, sim->n_stages);
+    ASSERT_INT(first, <=, end);
+    ASSERT_INT(end, <=, sim->stage_items);
     Mpm *mpm = mpm_of(sim);
     const MpmSchedule *schedule = mpm_schedule(mpm);
     mpm->notes_sums = true;
@@ -190,9 +175,15 @@ bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
      * whatever ran before */
     if (stage == 0 && first == 0)
         memset(mpm->block + mpm->bytes_placed, 0, mpm->bytes_whole - mpm->bytes_placed);
-    if (!mpm_do(mpm, (MpmTask){schedule->ops[stage], sim->step}, (int)first, (int)end, status))
+    const MpmTask task = {schedule->ops[stage], sim->step};
+    if (first == 0)
+        mpm_begin_stage(mpm, task.op, task.step);
+    for (size_t item = first; item < end; item++)
+        do_item(mpm, task, (int)item);
+    const bool whole = end == sim->stage_items;
+    if (!judge(mpm, task.op, (int)first, (int)end, status) || (whole && !mpm_end_stage(mpm, task.op, status)))
         return false;
-    if (stage + 1 < schedule->count || end < sim->stage_items)
+    if (!whole || stage + 1 < schedule->count)
         return true;
     const MpmTask forget = {OP_FORGET, sim->step}; /* in the plane a part of the last stage */
     return (mpm->dim == 1 || do_all(mpm, &forget, 1, status)) && check_energy(mpm, status);
