@@ -46,38 +46,35 @@ int bodies_body_of(const Mpm *mpm, int particle)
     return body;
 }
 
-void bodies_each_particle(const MpmDef *def, int body, void (*take)(void *context, double x, double y),
-                          void *context)
+BodyWalk bodies_walk(const MpmDef *def, int body)
 {
     const double d = def->cell_size / def->particles_per_cell;
     double low[2], high[2];
     bodies_bounds(&def->bodies[body], low, high);
-    for (long j = (long)floor(low[1] / d) - 1; j <= (long)ceil(high[1] / d); j++)
-        for (long i = (long)floor(low[0] / d) - 1; i <= (long)ceil(high[0] / d); i++) {
-            const double x = ((double)i + 0.5) * d, y = ((double)j + 0.5) * d;
-            if (bodies_hold(&def->bodies[body], x, y))
-                take(context, x, y);
+    const long left = (long)floor(low[0] / d) - 1, bottom = (long)floor(low[1] / d) - 1;
+    return (BodyWalk){.body = &def->bodies[body],
+                      .spacing = d,
+                      .left = left,
+                      .right = (long)ceil(high[0] / d),
+                      .top = (long)ceil(high[1] / d),
+                      .i = left - 1,
+                      .j = bottom};
+}
+
+bool bodies_next(BodyWalk *walk)
+{
+    do {
+        if (++walk->i > walk->right) {
+            walk->i = walk->left;
+            walk->j++;
         }
+        walk->x = ((double)walk->i + 0.5) * walk->spacing;
+        walk->y = ((double)walk->j + 0.5) * walk->spacing;
+    } while (walk->j <= walk->top && !bodies_hold(walk->body, walk->x, walk->y));
+    return walk->j <= walk->top;
 }
 
 /* --- what is constant ----------------------------------------------------------------------------- */
-
-/* Rows of particles within as many rows of cells are a chunk of a body: how many there are, and where its
- * last particle was. */
-typedef struct Counted {
-    double height, row;
-    int particles, chunks;
-} Counted;
-
-static void count_particle(void *context, double x, double y)
-{
-    Counted *counted = context;
-    const double row = floor(y / counted->height);
-    (void)x;
-    counted->chunks += row != counted->row;
-    counted->row = row;
-    counted->particles++;
-}
 
 void bodies_derive(Mpm *mpm)
 {
@@ -101,14 +98,16 @@ void bodies_derive(Mpm *mpm)
         mpm->low[axis] = BODIES_PADDING - 2.5 + mpm->edge;
         mpm->high[axis] = BODIES_PADDING + mpm->box[axis] + 2.5 + mpm->edge;
     }
-    Counted counted = {.height = BODIES_CHUNK_CELLS * mpm->dx};
     for (int k = 0; k < def->n_bodies; k++) {
-        counted.row = NAN;
-        bodies_each_particle(def, k, count_particle, &counted);
-        mpm->first[k + 1] = counted.particles;
+        double last = NAN; /* rows of particles within as many rows of cells are a chunk of a body */
+        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); mpm->n_particles++) {
+            const double row = floor(walk.y / (BODIES_CHUNK_CELLS * mpm->dx));
+            mpm->n_chunks += row != last;
+            last = row;
+        }
+        mpm->first[k + 1] = mpm->n_particles;
     }
-    mpm->joint = mpm->n_particles = counted.particles;
-    mpm->n_chunks = counted.chunks;
+    mpm->joint = mpm->n_particles;
 }
 
 /* Some rows of a body each. */
@@ -127,18 +126,10 @@ static void make_chunks(Mpm *mpm)
 
 /* --- particles at t = 0 ----------------------------------------------------------------------------- */
 
-/* Puts the next particle to a place. */
-typedef struct Placed {
-    Mpm *mpm;
-    int next;
-} Placed;
-
-static void place(void *context, double x, double y)
+/* One particle, but its velocity. */
+static void place(Mpm *mpm, int p, double x, double y)
 {
-    Placed *placed = context;
-    Mpm *mpm = placed->mpm;
     const double at[2] = {x, y};
-    const int p = placed->next++;
     for (int axis = 0; axis < 2; axis++) {
         mpm->at[axis][p] = at[axis];
         mpm->rest[axis][p] = at[axis] / mpm->dx + BODIES_PADDING + mpm->edge;
@@ -223,13 +214,14 @@ static void find_neighbours(Mpm *mpm)
 bool bodies_begin(Mpm *mpm, Status *status)
 {
     const MpmDef *def = &mpm->def;
-    Placed placed = {mpm, 0};
     for (int k = 0; k < def->n_bodies; k++) {
         if (cancel_requested(&def->cancel, (double)k / def->n_bodies))
             return status_fail(status, "the building of the bodies was cancelled");
-        bodies_each_particle(def, k, place, &placed);
-        for (int p = mpm->first[k]; p < mpm->first[k + 1]; p++)
+        int p = mpm->first[k];
+        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); p++) {
+            place(mpm, p, walk.x, walk.y);
             mpm->field[p] = mpm->n_fields > 1 ? k * mpm->grid_nodes : 0;
+        }
     }
     find_neighbours(mpm);
     make_chunks(mpm);

@@ -214,39 +214,22 @@ static bool check_body(const MpmDef *def, const BodyDef *body, Status *status)
     return true;
 }
 
-/* What a body's particles are, and whether one of them is another body's too. */
-typedef struct Counted {
-    const MpmDef *def;
-    int body, count, shared; /* shared: the other body; -1: none */
-    double x, y;             /* the place that they share */
-} Counted;
-
-static void count_particle(void *context, double x, double y)
-{
-    Counted *counted = context;
-    counted->count++;
-    for (int other = 0; other < counted->body && counted->shared < 0; other++)
-        if (bodies_hold(&counted->def->bodies[other], x, y)) {
-            counted->shared = other;
-            counted->x = x, counted->y = y;
-        }
-}
-
 /* Every body has a particle, and no particle two bodies. */
 static bool check_particles(const MpmDef *def, Status *status)
 {
     long all = 0;
     for (int k = 0; k < def->n_bodies; k++) {
-        Counted own = {.def = def, .body = k, .shared = -1};
-        bodies_each_particle(def, k, count_particle, &own);
-        if (own.shared >= 0)
-            return status_refuse(status, "bodies.%s: overlaps bodies.%s at (%g, %g)", def->bodies[k].name,
-                                 def->bodies[own.shared].name, own.x, own.y);
-        if (own.count == 0)
+        long count = 0;
+        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); count++)
+            for (int other = 0; other < k; other++)
+                if (bodies_hold(&def->bodies[other], walk.x, walk.y))
+                    return status_refuse(status, "bodies.%s: overlaps bodies.%s at (%g, %g)",
+                                         def->bodies[k].name, def->bodies[other].name, walk.x, walk.y);
+        if (count == 0)
             return status_refuse(status,
                                  "bodies.%s: has no particle (larger, or a smaller mesh.cell_size than %g)",
                                  def->bodies[k].name, def->cell_size);
-        all += own.count;
+        all += count;
     }
     return all <= PARTICLES_MAX || status_refuse(status, "mesh.cell_size: %g makes more than %d particles",
                                                  def->cell_size, PARTICLES_MAX);

@@ -511,8 +511,15 @@ double plane_null_energy(const Mpm *, double kinetic);
 
 extern const char *const bodies_walls[WALLS]; /* "left" */
 
-/* Calls `take` with the place of each particle of a body: rows from below, in a row from the left. */
-void bodies_each_particle(const MpmDef *, int body, void (*take)(void *context, double x, double y), void *);
+/* A walk over the particles of a body: rows from below, in a row from the left. */
+typedef struct BodyWalk {
+    double x, y; /* the place of the particle that has been reached; the rest is the walk's own */
+    const BodyDef *body;
+    double spacing;
+    long left, right, top, i, j;
+} BodyWalk;
+BodyWalk bodies_walk(const MpmDef *, int body); /* before its first particle */
+bool bodies_next(BodyWalk *);                   /* on to the next one; false: there is none */
 
 /* Whether the place lies in the body: an open set. */
 bool bodies_hold(const BodyDef *, double x, double y);
