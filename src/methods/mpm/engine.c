@@ -155,11 +155,3 @@ double mpm_node_acceleration(const Mpm *mpm, int axis, int node)
     return mpm_is_lumped(mpm) ? mpm_node_force(mpm, axis, node) * mpm->inverse[node]
                               : mpm->kick[axis][node] / mpm->dt;
 }
-
-double mpm_node_position(const Mpm *mpm, int node)
-{
-    ASSERT_INDEX(node, mpm->n_nodes);
-    const int cell = node < mpm->cells ? node : mpm->cells - 1;
-    const double offset = shape_node_offset(mpm->shape, mpm->half, mpm->cells, cell, node - cell);
-    return ((cell - mpm->origin) + (offset - mpm->edge)) * mpm->dx;
-}

@@ -394,10 +394,9 @@ static inline bool mpm_is_lumped(const Mpm *mpm)
 
 /* The whole force, eq. 12; none where a support holds the node. */
 double mpm_node_force(const Mpm *, int axis, int node);
-/* Its velocity at present, 0 before the map; its acceleration, 0 as long as it is not known; its place. */
+/* Its velocity at present, 0 before the map; its acceleration, 0 as long as it is not known. */
 double mpm_node_velocity(const Mpm *, int axis, int node);
 double mpm_node_acceleration(const Mpm *, int axis, int node);
-double mpm_node_position(const Mpm *, int node);
 
 /* Velocities along a line of a particle's nodes, as it is strained by them: for hats at the end of the bar an
  * inactive node moves with the other one. A hat's slope is not small where the function itself is: a particle

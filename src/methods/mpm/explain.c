@@ -496,30 +496,29 @@ static void write_density(const Subject *subject, double density, double stretch
  * that of a step that is over, the stress before and after. */
 static void strain_particle(const Subject *subject)
 {
-    static const char *const names[] = {"σxx", "σyy", "σxy"}, *const strains[] = {"exx", "eyy", "gxy"};
-    static const char *const labels[] = {
-        "σxx = σxx + E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = σyy + E/(1 - ν²) (Δεyy + ν Δεxx) = ",
-        "σxy = σxy + G Δγxy = "};
-    static const char *const only_newest[] = {
-        "σxx = E/(1 - ν²) (Δεxx + ν Δεyy) = ", "σyy = E/(1 - ν²) (Δεyy + ν Δεxx) = ", "σxy = G Δγxy = "};
+    static const char *const names[] = {"σxx", "σyy", "σxy"};
+    static const char *const gains[] = {"E/(1 - ν²) (Δεxx + ν Δεyy)", "E/(1 - ν²) (Δεyy + ν Δεxx)", "G Δγxy"};
     const Mpm *mpm = subject->mpm;
     const int p = subject->index;
-    const bool line = mpm->dim == 1;
-    double e[MPM_STRESSES];
-    for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++)
-        e[k] = simulation_named(&mpm->sim, MPM_PARTICLES, line ? "strain_increment" : strains[k], (size_t)p);
+    const bool line = mpm->dim == 1, newest = mpm_does(mpm, WRONG_ONLY_NEWEST);
+    double e[MPM_STRESSES] = {0};
+    if (mpm_has_done(mpm, OP_STRAIN))
+        mpm_strain_step(mpm, p, e);
     for (int k = 0; k < (line ? 1 : MPM_STRESSES); k++) {
         const double *stress = &mpm->stress[k][p];
         const double rate = line || k == 2 ? e[k] : e[k] + mpm->def.poisson * e[1 - k];
         const double factor = line ? mpm_modulus(mpm, p) : k == 2 ? mpm->shear : mpm->D11;
-        CalculationSum newest = {.label = line ? "σ = E Δε = " : only_newest[k], .result = *stress};
+        const char *const name = line ? "σ" : names[k], *const gain = line ? "E Δε" : gains[k];
+        char label[LABEL_MAX];
+        snprintf(label, sizeof label, "%s = %s%s%s = ", name, newest ? "" : name, newest ? "" : " + ", gain);
+        CalculationSum sum = {.label = label, .result = *stress};
         if (mpm->bodies || (!line && mpm->turn != 0) || !mpm_has_done(mpm, OP_STRAIN))
-            write_change(subject, names[k], stress);
-        else if (mpm_does(mpm, WRONG_ONLY_NEWEST)) {
-            calculation_add(&newest, 2, factor, rate, 0);
-            calculation_sum(subject->to, &newest);
+            write_change(subject, name, stress);
+        else if (newest) {
+            calculation_add(&sum, 2, factor, rate, 0);
+            calculation_sum(subject->to, &sum);
         } else
-            calculation_change(subject->to, line ? "σ = σ + E Δε = " : labels[k],
+            calculation_change(subject->to, label,
                                subject->before ? was(subject, stress) : *stress - factor * rate, factor, rate,
                                *stress, line ? NULL : "Pa");
     }
@@ -559,7 +558,7 @@ static void again_node(const Subject *subject)
 static void forget_node(const Subject *subject)
 {
     calculation_value(subject->to, "the node is empty again, and where it was: x = ",
-                      mpm_node_position(subject->mpm, subject->index));
+                      simulation_named(&subject->mpm->sim, MPM_NODES, "x", (size_t)subject->index));
 }
 
 static void forget_particle(const Subject *subject)

@@ -307,8 +307,11 @@ static double node_place(const Mpm *mpm, int axis, int node)
 {
     const int at = mpm->bodies ? node % mpm->grid_nodes : node;
     const int k = axis == 0 ? at % mpm->gx : at / mpm->gx;
-    if (mpm->dim == 1)
-        return mpm_node_position(mpm, node);
+    if (mpm->dim == 1) {
+        const int cell = node < mpm->cells ? node : mpm->cells - 1;
+        const double offset = shape_node_offset(mpm->shape, mpm->half, mpm->cells, cell, node - cell);
+        return ((cell - mpm->origin) + (offset - mpm->edge)) * mpm->dx;
+    }
     if (mpm->bodies)
         return (k - BODIES_PADDING) * mpm->dx;
     return axis == 0 ? mpm->xmin + (mpm_shift(mpm, mpm->sim.step) + k) * mpm->dx : mpm->ymin + k * mpm->dx;
