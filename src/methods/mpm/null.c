@@ -78,12 +78,13 @@ double mpm_line_null_energy(const Mpm *mpm)
     int node = 0; /* of the triangle's first row */
     for (int p = 0; p < mpm->n_particles; p++) {
         const int base = mpm->base[p];
-        MpmWeights w = mpm_weights_of(mpm, p);
+        double n[SHAPE_SUPPORT_MAX], slopes[SHAPE_SUPPORT_MAX];
         for (; node < base; node++)
             shift(&rows, mpm->support);
+        shape_at(mpm->shape, mpm_half(mpm, p), mpm->cells, base, mpm->s[0][p], n, slopes);
         for (int a = 0; a < mpm->support; a++)
-            w.n[0][a] *= mpm_moves(mpm, base + a);
-        sum += add_row(&rows, mpm->support, mpm_mass(mpm, p), w.n[0], mpm->v[0][p]);
+            n[a] *= mpm_moves(mpm, base + a);
+        sum += add_row(&rows, mpm->support, mpm_mass(mpm, p), n, mpm->v[0][p]);
     }
     return 0.5 * sum;
 }

@@ -40,12 +40,12 @@
 /* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
 static double affine_energy(const Mpm *mpm, int p)
 {
-    const MpmWeights w = mpm_weights_of(mpm, p);
-    double spread = 0.0;
+    double n[SHAPE_SUPPORT_MAX], slopes[SHAPE_SUPPORT_MAX], spread = 0.0;
+    const int base = mpm->base[p];
+    shape_at(mpm->shape, mpm_half(mpm, p), mpm->cells, base, mpm->s[0][p], n, slopes);
     for (int a = 0; a < mpm->support; a++) {
-        const double arm =
-            shape_node_offset(mpm->shape, mpm->half, mpm->cells, mpm->base[p], a) - mpm->s[0][p];
-        spread += w.n[0][a] * (arm * arm);
+        const double arm = shape_node_offset(mpm->shape, mpm->half, mpm->cells, base, a) - mpm->s[0][p];
+        spread += n[a] * (arm * arm);
     }
     const double speed = mpm->affine[p] * mpm->dx;
     return 0.5 * mpm_mass(mpm, p) * (spread * (speed * speed));
