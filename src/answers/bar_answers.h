@@ -115,8 +115,6 @@ bool bar_mode(const Settings *, int number, BarWave *, BarFactors *, ModeOnMesh 
 double bar_invariant(Simulation *, const Settings *);
 bool bar_invariant_kept(const Settings *);
 
-/* Whether the mesh makes sense, and the time that it takes steps for. */
-
 /* Start, question and loads as far as they are the same by both; `particles` in the bar. */
 bool bar_check_modes(const Settings *, double particles, Status *);
 

@@ -242,17 +242,21 @@ void calculation_exchange(Calculation *calculation, CalculationSum *sum, const S
                           size_t index, const Link *links, size_t count)
 {
     const Exchange *row = &sim->exchanges[exchange];
-    const bool leads = strncmp(row->factors, "m ", 2) == 0 || strncmp(row->factors, "Δt ", 4) == 0;
-    double f[EXCHANGE_FACTORS_MAX] = {0}, total = 0;
-    int n;
+    bool leads = strncmp(row->factors, "m ", 2) == 0 || strncmp(row->factors, "Δt ", 4) == 0;
+    double first = NAN, total = 0;
+    for (size_t i = 0; i < count; i++) { /* masses differ beside a joint */
+        const ExchangeTerm term = simulation_exchange(sim, exchange, index, &links[i]);
+        leads = leads && (i == 0 || term.factors[0] == first);
+        first = term.factors[0];
+    }
     for (size_t i = 0; i < count; i++) {
-        total += simulation_exchange(sim, exchange, index, &links[i], f, &n);
-        if (n == 0)
+        const ExchangeTerm term = simulation_exchange(sim, exchange, index, &links[i]);
+        const double *own = leads ? term.factors + 1 : term.factors;
+        if (term.count == 0)
             return;
-        if (leads)
-            sum->scale = f[0];
-        const double *own = leads ? f + 1 : f;
-        calculation_add(sum, leads ? n - 1 : n, own[0], own[1], own[2]);
+        calculation_add(sum, leads ? term.count - 1 : term.count, own[0], own[1], own[2]);
+        sum->scale = leads ? first : sum->scale;
+        total += term.product;
     }
     const double now = simulation_named(sim, row->to, row->field, index);
     sum->has_base = row->adds;

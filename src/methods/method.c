@@ -375,15 +375,15 @@ void simulation_sort_links(Link *links, size_t count)
     qsort(links, count, sizeof *links, by_pull);
 }
 
-double simulation_exchange(const Simulation *sim, int exchange, size_t index, const Link *link,
-                           double factors[EXCHANGE_FACTORS_MAX], int *count)
+ExchangeTerm simulation_exchange(const Simulation *sim, int exchange, size_t index, const Link *link)
 {
     ASSERT_INDEX(exchange, sim->n_exchanges);
-    *count = sim->method->exchange(sim, exchange, index, link, factors);
-    double product = *count > 0;
-    for (int f = 0; f < *count; f++)
-        product *= factors[f];
-    return product;
+    ExchangeTerm term = {0};
+    term.count = sim->method->exchange(sim, exchange, index, link, term.factors);
+    term.product = term.count > 0;
+    for (int f = 0; f < term.count; f++)
+        term.product *= term.factors[f];
+    return term;
 }
 
 int simulation_find_series(const Simulation *sim, const char *name)

@@ -145,6 +145,12 @@ typedef struct Exchange {
     const char *note;    /* what a factor stands for, or NULL: "a = f/m" */
 } Exchange;
 
+/* What one pair gives: a product of so many factors; none: it is 0. */
+typedef struct ExchangeTerm {
+    double product, factors[EXCHANGE_FACTORS_MAX];
+    int count;
+} ExchangeTerm;
+
 /* The factors of a product, for Method.exchange; return how many they are. */
 static inline int exchange_two(double factors[EXCHANGE_FACTORS_MAX], double a, double b)
 {
@@ -419,9 +425,8 @@ double simulation_named(const Simulation *, int set, const char *name, size_t in
 /* Bonds in the order of their pull: the strongest first, broken ones last. */
 void simulation_sort_links(Link *, size_t count);
 
-/* The product of the factors of an exchange (Method.exchange), *count of them; 0: there is none. */
-double simulation_exchange(const Simulation *, int exchange, size_t index, const Link *,
-                           double factors[EXCHANGE_FACTORS_MAX], int *count);
+/* What thing `index` and the other end of one of its links exchange (Method.exchange). */
+ExchangeTerm simulation_exchange(const Simulation *, int exchange, size_t index, const Link *);
 
 /* The index of a field, series entry or stage by name; -1: there is none. */
 int simulation_find_field(const Simulation *, int set, const char *name);

@@ -399,10 +399,10 @@ static bool do_part(Experiment *experiment, double share, bool *whole, Status *s
     Kept *part = &experiment->part;
     const Simulation *sim = experiment->run.sim;
     const double items = fmin(share, 1) * (double)sim->stage_items;
-    if (!part->known && !keep(sim, part))
-        return experiment_do_steps(experiment, !is_begun(sim), status);
     if (!is_begun(sim) && experiment->run.failed && sim->step >= experiment->newest)
         return status_take(status, &experiment->run.failure);
+    if (!part->known && !keep(sim, part))
+        return experiment_do_steps(experiment, !is_begun(sim), status);
     const bool sound = experiment_go(experiment, RUN_ITEMS, items < 1 ? 1 : (long)items, status);
     *whole = !is_begun(sim);
     part->known = sound && !*whole;

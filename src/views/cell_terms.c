@@ -16,12 +16,11 @@ static bool take_flow(const CellTerms *terms, int exchange, Flowing *flow)
     *flow = (Flowing){.exchange = &sim->exchanges[exchange]};
     bool any = false;
     for (size_t i = 0; i < terms->n_links; i++) {
-        double factors[EXCHANGE_FACTORS_MAX];
-        int count;
-        flow->terms[i] = simulation_exchange(sim, exchange, terms->index, &terms->links[i], factors, &count);
-        flow->last[i] = count > 0 ? factors[count - 1] : 0;
-        flow->sum += flow->terms[i];
-        any |= count > 0;
+        const ExchangeTerm term = simulation_exchange(sim, exchange, terms->index, &terms->links[i]);
+        flow->terms[i] = term.product;
+        flow->last[i] = term.count > 0 ? term.factors[term.count - 1] : 0;
+        flow->sum += term.product;
+        any |= term.count > 0;
     }
     /* all with the same last decimal: they are compared by eye, and add up as they stand */
     flow->writing = writing_of(flow->terms, terms->n_links, 0, flow->sum, CELL_TERM_WIDTH);

@@ -192,8 +192,7 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     const size_t shown = bonds->whole < SHOWN_MAX ? bonds->whole : SHOWN_MAX;
     const bool line = simulation_has(bonds->sim, HAS_LINE);
     char name[96], number[2 * NUMBER_TEXT_MAX + 32];
-    double rest[2] = {0, 0}, factors[EXCHANGE_FACTORS_MAX];
-    int n;
+    double rest[2] = {0, 0};
     snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
              bonds->count, bonds->count - bonds->whole, bonds->unit);
     open_drawing(picture, 0, 1, name);
@@ -207,7 +206,7 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     }
     for (size_t k = shown; k < bonds->whole; k++)
         for (int d = 0; d < bonds->sim->n_exchanges; d++)
-            rest[d] += simulation_exchange(bonds->sim, d, bonds->node, &bonds->links[k], factors, &n);
+            rest[d] += simulation_exchange(bonds->sim, d, bonds->node, &bonds->links[k]).product;
     if (shown < bonds->whole) {
         snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
                  bonds->whole - shown, number_of(rest[0]).text);

@@ -18,14 +18,13 @@ enum { LINKS_MAX = 256, EXCHANGES_MAX = 16 };
 static double add_terms(const Simulation *sim, int e, size_t to, double *scale)
 {
     Link links[LINKS_MAX];
-    double sum = 0, factors[EXCHANGE_FACTORS_MAX];
+    double sum = 0;
     const size_t n = sim->method->links(sim, sim->exchanges[e].to, to, links, LINKS_MAX);
     for (size_t k = 0; k < n; k++) {
-        int count;
-        const double product = simulation_exchange(sim, e, to, &links[k], factors, &count);
-        ck_assert_int_gt(count, 0);
-        sum += product;
-        *scale += fabs(product);
+        const ExchangeTerm term = simulation_exchange(sim, e, to, &links[k]);
+        ck_assert_int_gt(term.count, 0);
+        sum += term.product;
+        *scale += fabs(term.product);
     }
     return sum;
 }
@@ -46,12 +45,11 @@ static int expect_stage(Simulation *sim)
     ck_assert_msg(simulation_stage(sim, &status), "%s", status.text);
     for (int e = 0; e < sim->n_exchanges; e++) {
         const Exchange *exchange = &sim->exchanges[e];
-        double factors[EXCHANGE_FACTORS_MAX];
         Link link;
         size_t some = 0; /* one that is linked */
         while (before[e] && sim->method->links(sim, exchange->to, some, &link, 1) == 0)
             some++;
-        if (!before[e] || last || sim->method->exchange(sim, e, some, &link, factors) == 0) {
+        if (!before[e] || last || simulation_exchange(sim, e, some, &link).count == 0) {
             free(before[e]);
             continue;
         }

@@ -387,10 +387,9 @@ START_TEST(terms_in_the_plane_are_the_methods)
             double terms[32], whole = 0, size = 0, sum = 0, before = INFINITY;
             flows++;
             for (size_t i = 0; i < n_links; i++) {
-                double factors[EXCHANGE_FACTORS_MAX];
-                int count;
-                terms[i] = simulation_exchange(sim, e, particle, &links[i], factors, &count);
-                ck_assert_int_gt(count, 0);
+                const ExchangeTerm term = simulation_exchange(sim, e, particle, &links[i]);
+                terms[i] = term.product;
+                ck_assert_int_gt(term.count, 0);
                 whole += terms[i];
                 size = fmax(size, fabs(terms[i]));
             }

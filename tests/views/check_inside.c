@@ -140,10 +140,23 @@ START_TEST(sums_of_a_bar_add_up)
         return; /* each algorithm with each shape and each transfer, but not all three crossed */
     const char *const *transfer = transfers[_i / 12];
     const bool loaded = _i % 2;
-    const char *keys[] = {
-        "mpm.algorithm", algorithms[_i % 3],    "mpm.shape", shapes[_i / 3 % 4], "mpm.transfer",
-        transfer[0],     "mpm.flip_fraction",   transfer[1], "load.body_force",  loaded ? "1e-3" : "0",
-        "load.traction", loaded ? "1e-2" : "0", NULL};
+    const char *keys[] = {"mpm.algorithm",
+                          algorithms[_i % 3],
+                          "mpm.shape",
+                          shapes[_i / 3 % 4],
+                          "mpm.transfer",
+                          transfer[0],
+                          "mpm.flip_fraction",
+                          transfer[1],
+                          "load.body_force",
+                          loaded ? "1e-3" : "0",
+                          "load.traction",
+                          loaded ? "1e-2" : "0",
+                          "bar2.joint",
+                          loaded ? "12" : "0",
+                          "bar2.density",
+                          "4",
+                          NULL};
     Experiment *experiment = experiment_with("mode5", keys, 137);
     Tally tally = {0};
     expect_all_sums(experiment, 1, &tally);

@@ -75,15 +75,13 @@ static void write_given(const Subject *subject, int exchange)
     char label[LABEL_MAX];
     snprintf(label, sizeof label, "%s: ", subject->mpm->exchanges[exchange].factors);
     CalculationSum sum = {.label = label};
-    double f[EXCHANGE_FACTORS_MAX];
-    int n;
     for (const Link *link = subject->links; link < subject->links + subject->n_links; link++) {
-        const double term =
-            simulation_exchange(&subject->mpm->sim, exchange, (size_t)subject->index, link, f, &n);
-        if (n == 0)
+        const ExchangeTerm term =
+            simulation_exchange(&subject->mpm->sim, exchange, (size_t)subject->index, link);
+        if (term.count == 0)
             return;
-        calculation_add(&sum, 1, term, 0, 0)->to = (long)link->index;
-        sum.result += term;
+        calculation_add(&sum, 1, term.product, 0, 0)->to = (long)link->index;
+        sum.result += term.product;
     }
     calculation_sum(subject->to, &sum);
 }

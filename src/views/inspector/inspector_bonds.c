@@ -66,8 +66,6 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
     const Simulation *sim = screen_simulation(screen);
     const double load = sim->method->load_on(sim, node, 0);
-    double factors[EXCHANGE_FACTORS_MAX];
-    int n;
     table->count = count;
     table->n_columns = COLUMNS;
     table->what = "bond to";
@@ -85,7 +83,7 @@ static void describe_sum(const Screen *screen, size_t node, const Link *links, s
         table->columns[LENGTH].values[i] = link->apart[0];
         table->columns[STRETCH].values[i] = link->stretch;
         table->columns[STIFFNESS].values[i] = link->stiffness;
-        table->columns[FORCE].values[i] = simulation_exchange(sim, 0, node, link, factors, &n);
+        table->columns[FORCE].values[i] = simulation_exchange(sim, 0, node, link).product;
     }
     add_totals(sim, node, (const char *const[]){"force"}, &load, table);
     table->columns[FORCE].style =
@@ -288,8 +286,6 @@ static void describe_forces(const Family *family, PictureTable *table)
     const Simulation *sim = family->sim;
     const double loads[] = {sim->method->load_on(sim, family->node, 0),
                             sim->method->load_on(sim, family->node, 1)};
-    double factors[EXCHANGE_FACTORS_MAX];
-    int n;
     table->what = "forces on it, N/m³";
     table->count = sizeof sides / sizeof *sides;
     table->n_columns = 2;
@@ -301,7 +297,7 @@ static void describe_forces(const Family *family, PictureTable *table)
         snprintf(column->name, sizeof column->name, "%s", names[d]);
         for (const Link *link = family->links; link < family->links + family->count; link++)
             column->values[1 + (link->apart[0] > 0) - (link->apart[0] < 0)] +=
-                simulation_exchange(sim, d, family->node, link, factors, &n);
+                simulation_exchange(sim, d, family->node, link).product;
     }
     add_totals(family->sim, family->node, names, loads, table);
 }

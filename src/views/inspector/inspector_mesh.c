@@ -43,20 +43,18 @@ static Subject subject_of(const Screen *screen)
 
 /* --- what a stage passes on -------------------------------------------------------------------------- */
 
-static int factors_of(const Subject *subject, int exchange, size_t link, double factors[EXCHANGE_FACTORS_MAX])
+static ExchangeTerm term_of(const Subject *subject, int exchange, size_t link)
 {
-    return subject->sim->method->exchange(subject->sim, exchange, subject->index, &subject->links[link],
-                                          factors);
+    return simulation_exchange(subject->sim, exchange, subject->index, &subject->links[link]);
 }
 
 static bool is_passed(const Block *block, int exchange)
 {
     const Subject *subject = block->subject;
     const Exchange *passed = &subject->sim->exchanges[exchange];
-    double factors[EXCHANGE_FACTORS_MAX];
     return strcmp(passed->stage, subject->sim->stages[block->stage].id) == 0 &&
            (block->takes ? passed->to : passed->from) == subject->set && subject->n_links > 0 &&
-           factors_of(subject, exchange, 0, factors) > 0;
+           term_of(subject, exchange, 0).count > 0;
 }
 
 static bool passes_any(const Subject *subject, int stage, bool takes)
@@ -103,16 +101,15 @@ static void add_factors(const Block *block, int exchange)
 {
     PictureTable *table = block->table;
     const Exchange *passed = &block->subject->sim->exchanges[exchange];
-    double factors[EXCHANGE_FACTORS_MAX];
     for (size_t i = 0; i < block->subject->n_links; i++) {
-        const int n_factors = factors_of(block->subject, exchange, i, factors);
+        const ExchangeTerm term = term_of(block->subject, exchange, i);
         const char *words = passed->factors;
         char word[32];
-        for (int f = 0; f < n_factors && text_next_word(&words, word, sizeof word); f++) {
+        for (int f = 0; f < term.count && text_next_word(&words, word, sizeof word); f++) {
             TableColumn *factor = factor_named(table, word);
             factor = factor ? factor : add_column(table, word);
             if (factor && !factor->stays)
-                factor->values[i] = factors[f];
+                factor->values[i] = term.factors[f];
         }
     }
     if (passed->note && !strstr(table->notes, passed->note))
@@ -146,15 +143,12 @@ static void add_product(const Block *block, int exchange)
     const unsigned bit = 1u << table->n_columns;
     const char *words = passed->factors;
     char word[32];
-    double factors[EXCHANGE_FACTORS_MAX];
-    int count;
     TableColumn *column = add_column(table, words);
     if (!column)
         return;
     column->adds = true;
     for (size_t i = 0; i < subject->n_links; i++)
-        column->values[i] =
-            simulation_exchange(subject->sim, exchange, subject->index, &subject->links[i], factors, &count);
+        column->values[i] = term_of(subject, exchange, i).product;
     while (text_next_word(&words, word, sizeof word))
         if (factor_named(table, word))
             factor_named(table, word)->in |= bit;
