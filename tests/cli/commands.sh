@@ -51,6 +51,8 @@ expect "list of one" 0 list mode1
 result "says the same" cmp out described
 result "the first is mode1" test "$(head -n 1 names)" = mode1
 
+"$MATVIB" show mode5 | sed -n '/^\[scenario\]/{n;s/ =.*//p;}' >out
+result "a scenario begins with its title" test "$(cat out)" = title
 # what show prints is a scenario file that comes to the same
 while read -r scenario; do
 	"$MATVIB" show "$scenario" >first.ini 2>err && "$MATVIB" show first.ini >second.ini 2>>err
