@@ -325,7 +325,7 @@ void parameter_cipher(const char *word, char out[CIPHER_MAX])
 static void write_value(const Settings *settings, const Parameter *parameter, int digits, char out[LIST_MAX])
 {
     if (parameter->type == PARAMETER_TEXT) {
-        memcpy(out, member_of(settings, parameter->offset), LIST_MAX);
+        strcpy(out, member_of(settings, parameter->offset));
         return;
     }
     const Parameter row = parameter_in(parameter, settings->problem);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particle-steps per second of two discs that meet, by one thread, with the row of every step; the best of
  * several runs. The goal is 5e6 on one core. */
-#include "methods/mpm/mpm.h"
+#include "methods/default_defs.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,23 +40,13 @@ int main(void)
     static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2};
     for (int fine = 0; fine < 2; fine++)
         for (int k = 0; k < 3; k++) {
-            const MpmDef def = {.problem = MPM_BODIES,
-                                .length = 1,
-                                .height = 1,
-                                .bodies = {{"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0},
-                                           {"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0, 0}},
-                                .n_bodies = 2,
-                                .youngs_modulus = 1000,
-                                .density = 1000,
-                                .poisson = .3,
-                                .cell_size = fine ? .0125 : .05,
-                                .particles_per_cell = 2,
-                                .shape = shapes[k],
-                                .flip_fraction = 1,
-                                .fields = FIELDS_EACH,
-                                .gap = .4,
-                                .courant = .2,
-                                .threads = 1};
+            MpmDef def = bodies_default();
+            def.height = 1;
+            def.bodies[0] = (BodyDef){"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0};
+            def.bodies[1] = (BodyDef){"right", BODY_DISC, {.8, .8, .2}, {-.1, -.1}, 0, 0};
+            def.cell_size = fine ? .0125 : .05;
+            def.shape = shapes[k];
+            def.courant = .2;
             double best = 0;
             size_t particles = 0;
             for (int round = 0; round < 5; round++)

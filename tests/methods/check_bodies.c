@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bodies by the material point method: what no reference run has is held by what any code must keep
  * (momentum, angular momentum, uniform stretch, symmetry); then bits, refusals, ends. */
+#include "methods/default_defs.h"
 #include "methods/mpm/engine.h"
 #include "methods/run_case.h"
 #include "suite.h"
@@ -9,28 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Two discs that meet off their centres. */
-static MpmDef two_discs(void)
-{
-    return (MpmDef){.problem = MPM_BODIES,
-                    .length = 1,
-                    .height = 0.8,
-                    .bodies = {{"left", BODY_DISC, {.25, .3, .2}, {.2, 0}, 0, 0},
-                               {"right", BODY_DISC, {.75, .45, .2}, {-.2, 0}, 0, 0}},
-                    .n_bodies = 2,
-                    .youngs_modulus = 1000,
-                    .density = 1000,
-                    .poisson = .3,
-                    .cell_size = .1,
-                    .particles_per_cell = 2,
-                    .shape = MPM_GIMP,
-                    .flip_fraction = 1,
-                    .fields = FIELDS_EACH,
-                    .gap = .4,
-                    .courant = .1,
-                    .threads = 1};
-}
 
 static Simulation *create(const MpmDef *def)
 {
@@ -48,7 +27,7 @@ enum { VARIANTS = 36 };
 static MpmDef variant(int number)
 {
     static const double gaps[] = {.35, .5, INFINITY};
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.algorithm = (MpmAlgorithm)(number % 3);
     def.shape = shapes[number / 3 % 3];
     def.transfer = number / 9 % 2 ? MPM_APIC : MPM_FLIP;
@@ -97,7 +76,7 @@ static void affine(const double x[2], const void *context, double v[2], double g
 START_TEST(an_affine_block)
 {
     static const double C[4] = {.1, .03, -.02, .05}, expected[3] = {1.408861281, 1.077364509, .033149677};
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.n_bodies = 1;
     def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.3, .2, .8, .7}, {0, 0}, 0, 0};
     def.height = 1;
@@ -167,7 +146,7 @@ END_TEST
  * particle. */
 START_TEST(free_flight_makes_no_stress)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.n_bodies = 1;
     def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.2, .2, .4, .4}, {.05, 0}, 0, 0};
     def.shape = shapes[_i % 3];
@@ -186,7 +165,7 @@ END_TEST
 /* What a body in free fall, a wall and another body do first is seen when it should be. */
 START_TEST(what_is_seen)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.cell_size = .05;
     Simulation *sim = create(&def);
     while (simulation_time(sim) < .5)
@@ -216,7 +195,7 @@ END_TEST
  * column says the same at each step. Stage by stage, rewound and with rows the events are the same ones. */
 START_TEST(touches_are_events)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     Status status;
     def.height = 1;
     def.bodies[0] = (BodyDef){"left", BODY_DISC, {.2, .2, .2}, {.1, .1}, 0, 0};
@@ -277,7 +256,7 @@ END_TEST
 /* A disc that falls and bounces touches a wall and leaves it: science B6 has .3584. */
 START_TEST(a_wall_is_touched_and_left)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.cell_size = .05;
     def.n_bodies = 1;
     def.height = 1;
@@ -300,7 +279,7 @@ END_TEST
 /* A soft cantilever with hats tears at t = .43 (science B7), and is told of. */
 START_TEST(a_tear_is_told)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.n_bodies = 1;
     def.bodies[0] = (BodyDef){"arm", BODY_BLOCK, {0, 2, 1, 2.2}, {0, 0}, 0, 0};
     def.length = 2, def.height = 3;
@@ -336,7 +315,7 @@ static bool says(Simulation *sim, int stage, size_t node, const void *before, co
 /* Contact tells normal, gap, approach and impulse where bodies meet. */
 START_TEST(contact_is_written_out)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.transfer = _i % 2 ? MPM_APIC : MPM_FLIP;
     Simulation *sim = create(&def);
     Status status = {0};
@@ -484,7 +463,7 @@ enum { REFUSED = sizeof refused / sizeof *refused };
 
 START_TEST(what_is_refused)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     Status status = {0};
     refused[_i].spoil(&def);
     ck_assert(!mpm_check(&def, &status));
@@ -495,7 +474,7 @@ END_TEST
 
 START_TEST(a_particle_leaves)
 {
-    MpmDef def = two_discs();
+    MpmDef def = bodies_default();
     def.n_bodies = 1;
     def.bodies[0].velocity[0] = 1;
     Simulation *sim = create(&def);

@@ -127,25 +127,15 @@ END_TEST
 START_TEST(sums_of_bodies)
 {
     static const MpmShape shapes[] = {MPM_HAT, MPM_GIMP, MPM_BSPLINE2};
-    MpmDef def = {.problem = MPM_BODIES,
-                  .length = 1,
-                  .height = 0.8,
-                  .walls = {WALL_SLIP, WALL_FRICTION, WALL_CLAMP, WALL_OPEN},
-                  .bodies = {{"left", BODY_DISC, {.3, .2, .2}, {.2, 0}, 0, 0},
-                             {"right", BODY_DISC, {.7, .25, .2}, {-.2, 0}, 0, 0}},
-                  .n_bodies = 2,
-                  .youngs_modulus = 1000,
-                  .density = 1000,
-                  .poisson = .3,
-                  .cell_size = .1,
-                  .particles_per_cell = 2,
-                  .fields = FIELDS_EACH,
-                  .friction = .3,
-                  .gap = INFINITY,
-                  .gravity = {.1, -.2},
-                  .damping = .1,
-                  .courant = .1,
-                  .threads = 1};
+    static const BodyWall walls[WALLS] = {WALL_SLIP, WALL_FRICTION, WALL_CLAMP, WALL_OPEN};
+    MpmDef def = bodies_default();
+    memcpy(def.walls, walls, sizeof walls);
+    def.bodies[0].size[0] = .3, def.bodies[0].size[1] = .2;
+    def.bodies[1].size[0] = .7, def.bodies[1].size[1] = .25;
+    def.friction = .3;
+    def.gap = INFINITY;
+    def.gravity[0] = .1, def.gravity[1] = -.2;
+    def.damping = .1;
     Status status = {0};
     def.algorithm = (MpmAlgorithm)(_i % 3);
     def.shape = shapes[_i / 3 % 3];

@@ -55,6 +55,27 @@ MpmDef plane_default(bool leaves_channel)
 
 /* The three problems of paper P as it gives them; what it leaves open (size of the notched beam, width of its
  * load, protected zones) is chosen so that its results come out. */
+MpmDef bodies_default(void)
+{
+    return (MpmDef){.problem = MPM_BODIES,
+                    .length = 1,
+                    .height = 0.8,
+                    .bodies = {{"left", BODY_DISC, {.25, .3, .2}, {.2, 0}, 0, 0},
+                               {"right", BODY_DISC, {.75, .45, .2}, {-.2, 0}, 0, 0}},
+                    .n_bodies = 2,
+                    .youngs_modulus = 1000,
+                    .density = 1000,
+                    .poisson = .3,
+                    .cell_size = .1,
+                    .particles_per_cell = 2,
+                    .shape = MPM_GIMP,
+                    .flip_fraction = 1,
+                    .fields = FIELDS_EACH,
+                    .gap = .4,
+                    .courant = .1,
+                    .threads = 1};
+}
+
 BeamDef beam_default(BeamProblem problem)
 {
     BeamDef def = {

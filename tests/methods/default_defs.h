@@ -13,6 +13,9 @@ MpmDef bar_default(void);
 /* Aluminium beams of .1 x .005 m in cells of .625 mm, as the scenarios have them. */
 MpmDef plane_default(bool leaves_channel);
 
+/* Two discs that meet off their centres in an open box. */
+MpmDef bodies_default(void);
+
 BeamDef beam_default(BeamProblem problem);
 
 #endif

@@ -117,21 +117,20 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
     ASSERT_REAL(length, >=, 0);
     const Beam *beam = (const Beam *)sim;
     const Lattice *lattice = &beam->lattice;
-    const size_t bytes = lattice_slots(lattice) / 8;
+    const size_t slots = lattice_slots(lattice);
     size_t pieces = 1, pairs = 0;
     if (beam->head->critical_stretch != beam->def.critical_stretch || cancel_requested(cancel, 0))
         return false;
     for (const CrackPath *path = paths; path < paths + n_paths; path++)
         pieces += path->count;
     *cost = (CrackCost){.area = length * beam->def.thickness, .plane = plane_energy(beam)};
-    for (size_t byte = 0; byte < bytes; byte++) {
-        for (size_t bit = 0; beam->broken[byte] >> bit != 0; bit++)
-            if ((beam->broken[byte] & ~beam->notched[byte]) >> bit & 1) {
-                add_bond(cost, beam, paths, n_paths, lattice_slot_place(lattice, 8 * byte + bit));
-                pairs += pieces;
-            }
-        if (++pairs >= CRACK_COST_PAIRS_A_QUESTION) {
-            if (cancel_requested(cancel, (double)byte / (double)bytes))
+    for (size_t slot = 0; (slot = beam_next_bit(beam->broken, slot, slots)) < slots; slot++) {
+        if (beam_bit(beam->notched, slot))
+            continue;
+        add_bond(cost, beam, paths, n_paths, lattice_slot_place(lattice, slot));
+        pairs += pieces;
+        if (pairs >= CRACK_COST_PAIRS_A_QUESTION) {
+            if (cancel_requested(cancel, (double)slot / (double)slots))
                 return false;
             pairs = 0;
         }
