@@ -622,6 +622,21 @@ START_TEST(every_stage_explains_itself)
 }
 END_TEST
 
+/* Of a beam at rest: no sums of as many zeros as bonds. */
+START_TEST(bonds_that_do_not_pull_are_no_terms)
+{
+    const BeamDef def = small_beam(BEAM_NOTCHED);
+    Simulation *sim = beam_case_create(&def, NULL);
+    const int bonds = simulation_find_stage(sim, "bonds");
+    char text[8192];
+    for (int i = 0; i <= bonds; i++)
+        ck_assert(simulation_stage(sim, NULL));
+    sim->method->explain(sim, bonds, 0, 0, NULL, 0, text, sizeof text);
+    ck_assert_msg(strstr(text, "no bond pulls\n") && !strstr(text, "×"), "%s", text);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* --- a run that is changed, and one that bursts --- */
 
 /* The critical step is that of the linear operator: finding it breaks no bond, however small s0 is. */
@@ -799,6 +814,7 @@ void add_cases(Suite *suite)
     tcase_add_test(told, nodes_have_the_stress_of_their_bonds);
     tcase_add_loop_test(told, energies_of_nodes_add_up, 0, 2);
     tcase_add_test(told, every_stage_explains_itself);
+    tcase_add_test(told, bonds_that_do_not_pull_are_no_terms);
     tcase_add_loop_test(told, stages_say_what_acts, 0, 2);
     suite_add_tcase(suite, told);
 

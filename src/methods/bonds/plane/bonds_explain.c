@@ -332,9 +332,14 @@ static void explain_bonds(const Subject *subject)
 {
     const Simulation *sim = &subject->beam->sim;
     const Link *strongest = subject->family;
+    size_t pulling = subject->whole;
+    while (pulling > 0 && link_pull(&subject->family[pulling - 1]) == 0)
+        pulling--;
     if (!subject->beam->lattice.line)
         write_lost(subject);
-    if (subject->whole > 0) {
+    if (pulling == 0)
+        calculation_write(subject->to, "no bond pulls\n");
+    else {
         char words[64];
         snprintf(words, sizeof words, "to %s%zu: %s = ", link_mirror(strongest), strongest->index,
                  strchr(sim->exchanges[0].note, '=') + 2);
@@ -345,7 +350,7 @@ static void explain_bonds(const Subject *subject)
     for (int d = 0; d < sim->n_exchanges; d++) {
         const CalculationLabel words = label_of(subject, "f@ = ", d);
         CalculationSum sum = {.label = words.text, .unit = unit_of(subject, "N/m³")};
-        calculation_exchange(subject->to, &sum, sim, d, subject->index, subject->family, subject->whole);
+        calculation_exchange(subject->to, &sum, sim, d, subject->index, subject->family, pulling);
     }
 }
 
