@@ -837,6 +837,7 @@ START_TEST(definitions_that_are_refused)
     REFUSED(def.shape = MPM_BSPLINE3, "mpm.shape");
     REFUSED((def.length = 100, def.channel = 100), "mesh.cell_size");
     REFUSED((def.height = 20, def.length = 1.25e-3, def.channel = 2.5e-3, def.end = 1e-6), "mesh.cell_size");
+    REFUSED(def.courant = 1e20, "mesh.padding"); /* its one step goes far beyond the end */
     MpmDef bent = small(false);
     bent.amplitude = 0.01;
     ck_assert_ptr_null(mpm_create(&bent, &status));

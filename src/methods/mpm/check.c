@@ -175,7 +175,9 @@ static bool check_beam(const MpmDef *def, Status *status)
     if (!(rows <= ROWS_MAX))
         return status_refuse(status, "mesh.cell_size: %g makes more than %d rows of nodes", def->cell_size,
                              ROWS_MAX);
-    const double way = def->leaves_channel ? (def->speed - def->grid_velocity) * def->end : 0;
+    /* the last step may end behind the end */
+    const double way =
+        def->leaves_channel ? (def->speed - def->grid_velocity) * (def->end + mpm_time_step(def)) : 0;
     if (!((length + way) / def->cell_size + 2 * def->padding + 2 < NODES_MAX / rows))
         return status_refuse(status, "mesh.padding: the grid has more than %d nodes", NODES_MAX);
     return true;
