@@ -42,15 +42,12 @@ bool mpm_find_all(Mpm *mpm)
     return inside;
 }
 
-bool mpm_crosses(const Mpm *mpm, int particle, int old, const double *s)
+bool mpm_crosses(const Mpm *mpm, int particle, int node, double x, double y)
 {
-    const int gx = mpm->gx, now = mpm->base[particle];
-    const int from[MPM_AXES] = {old % gx, old / gx}, to[MPM_AXES] = {now % gx, now / gx};
-    bool crosses = false;
-    for (int axis = 0; axis < mpm->dim; axis++)
-        crosses = crosses || mpm_cell(from[axis], s[axis], mpm->edge) !=
-                                 mpm_cell(to[axis], mpm->s[axis][particle], mpm->edge);
-    return crosses;
+    const int gx = mpm->gx, old = mpm->base[particle];
+    return mpm_cell(old % gx, mpm->s[0][particle], mpm->edge) != mpm_cell(node % gx, x, mpm->edge) ||
+           (mpm->dim == 2 &&
+            mpm_cell(old / gx, mpm->s[1][particle], mpm->edge) != mpm_cell(node / gx, y, mpm->edge));
 }
 
 double mpm_rest(const Mpm *mpm, int axis, int particle)

@@ -270,8 +270,8 @@ MPM_INLINE int mpm_cell(int first, double s, double edge)
     return first + (s - edge >= 1.0) - (s - edge < 0.0);
 }
 
-/* Whether a particle lies in another cell than where `old` was its first node, and s its place beside it. */
-bool mpm_crosses(const Mpm *, int particle, int old, const double *s);
+/* Whether a particle lies in another cell than with the first node `node` and its place (x, y) beside it. */
+bool mpm_crosses(const Mpm *, int particle, int node, double x, double y);
 
 /* Finds the first node of each of some particles and its place s beside it on the grid of a step, of which
  * `shift` is the way; CPDI's domain is as long as the particle: the volume of a unit of cross-section is a
@@ -301,23 +301,26 @@ MPM_INLINE int mpm_set_places(Mpm *mpm, const int dim, const MpmShape shape, dou
             least = x;
         const int column = (int)(stays ? rest[0][p] : x), row = dim == 2 ? (int)y : 0;
         const int node = (field ? field[p] : 0) + row * gx + column;
-        const int at = field ? node / gx : column; /* of bodies spans are rows */
-        const int old = base[p];
-        const double was[MPM_AXES] = {s[0][p], dim == 2 ? s[1][p] : 0.0};
-        if (dim == 2 || p == first || p + 1 == end) { /* those of a line are in order */
+        if (dim == 2) {
+            const int at = field ? node / gx : column; /* of bodies spans are rows */
             low = at < low ? at : low;
             high = at > high ? at : high;
         }
-        base[p] = node;
-        s[0][p] = x - column;
-        if (dim == 2)
-            s[1][p] = y - row;
-        bool other = node != old || stays;
+        const double sx = x - column, sy = y - row;
+        bool other = node != base[p] || stays;
         if (shifted) /* a cell has two first nodes */
-            other = other || mpm_cell(0, x - column, edge) != mpm_cell(0, was[0], edge) ||
-                    (dim == 2 && mpm_cell(0, y - row, edge) != mpm_cell(0, was[1], edge));
-        if (other && crossed && !crossed[p] && mpm_crosses(mpm, p, old, was))
+            other = other || mpm_cell(0, sx, edge) != mpm_cell(0, s[0][p], edge) ||
+                    (dim == 2 && mpm_cell(0, sy, edge) != mpm_cell(0, s[1][p], edge));
+        if (other && crossed && !crossed[p] && mpm_crosses(mpm, p, node, sx, sy))
             crossed[p] = 2;
+        base[p] = node;
+        s[0][p] = sx;
+        if (dim == 2)
+            s[1][p] = sy;
+    }
+    if (dim == 1 && p > first) { /* they are in order */
+        low = base[first] < low ? base[first] : low;
+        high = base[p - 1] > high ? base[p - 1] : high;
     }
     for (int k = first; shape == MPM_CPDI && k < p; k++)
         mpm->domain[k] = 0.5 * mpm->volume[k] * inverse;
