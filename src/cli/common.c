@@ -70,17 +70,6 @@ int progress_threads(long wanted)
     return wanted > 0 ? (int)wanted : threads_default(false);
 }
 
-static void add_line(char *out, size_t size, const Derived *derived)
-{
-    char value[NUMBER_TEXT_MAX];
-    if (derived->integer)
-        snprintf(value, sizeof value, "%.0f", derived->value);
-    else
-        text_shortest(value, derived->value);
-    const char *unit = strcmp(derived->unit, "1") == 0 ? "" : derived->unit; /* a plain number */
-    text_append(out, size, "%s = %s%s%s\n", derived->name, value, *unit ? " " : "", unit);
-}
-
 bool cli_derived_text(const Settings *settings, char *out, size_t size, Status *status)
 {
     char advice[240] = "";
@@ -96,8 +85,15 @@ bool cli_derived_text(const Settings *settings, char *out, size_t size, Status *
     if (!complete)
         return status_fail(status, "not enough memory for the numbers that follow from these");
     out[0] = '\0';
-    for (int i = 0; i < count; i++)
-        add_line(out, size, &derived[i]);
+    for (int i = 0; i < count; i++) {
+        char value[NUMBER_TEXT_MAX];
+        if (derived[i].integer)
+            snprintf(value, sizeof value, "%.0f", derived[i].value);
+        else
+            text_shortest(value, derived[i].value);
+        const char *unit = strcmp(derived[i].unit, "1") == 0 ? "" : derived[i].unit; /* a plain number */
+        text_append(out, size, "%s = %s%s%s\n", derived[i].name, value, *unit ? " " : "", unit);
+    }
     Status refusal = {0};
     bool allowed = problem_advice(settings, advice, sizeof advice, &refusal);
     if (!allowed || *advice)

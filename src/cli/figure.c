@@ -37,21 +37,6 @@ static bool work_off(Experiment *experiment, double behind, double part, Progres
     return experiment_work_off(experiment, (Cancel){show_part, &shown}, status);
 }
 
-/* The other runs first, of which the experiment is the first one; their curves stay behind those of the run
- * itself, where there are several as pinned ones. */
-static bool run_against(Experiment *experiment, const Settings *others, int n_others,
-                        const Settings *settings, long step, Progress *progress, Status *status)
-{
-    const double part = 1.0 / (n_others + 1);
-    experiment_seek(experiment, step, 0);
-    bool sound = work_off(experiment, 0, part, progress, status);
-    for (int i = 0; i < n_others && sound; i++)
-        sound = (n_others == 1 || experiment_pin(experiment, status)) &&
-                experiment_rerun(experiment, i + 1 < n_others ? &others[i + 1] : settings, status) &&
-                work_off(experiment, (i + 1) * part, part, progress, status);
-    return sound;
-}
-
 /* Goes from one time to the next and takes each down. */
 static bool take_frames(Figure *figure, Experiment *experiment, Screen *screen, const View *view,
                         const Frames *frames, Progress *progress, Status *status)
@@ -70,66 +55,50 @@ static bool take_frames(Figure *figure, Experiment *experiment, Screen *screen, 
     return sound;
 }
 
-/* Pictures of one page are compared, so displacements are enlarged alike: once more with a factor that suits
- * all, where each would have its own. */
-static bool take_alike(Figure *figure, Experiment *experiment, Screen *screen, const View *view,
-                       const Frames *frames, Progress *progress, Status *status)
-{
-    bool differ;
-    const double least = figure_enlargement(figure, &differ);
-    if (!differ)
-        return true;
-    Settings settings = *experiment_settings(experiment);
-    snprintf(settings_edit_view(&settings)->exaggeration, sizeof settings_view(&settings)->exaggeration,
-             "%.6g", least);
-    const double width = figure->width, height = figure->height;
-    const bool bare = figure->bare;
-    figure_close(figure);
-    figure_open(figure, width, height);
-    figure->bare = bare;
-    return experiment_edit(experiment, &settings, status) &&
-           take_frames(figure, experiment, screen, view, frames, progress, status);
-}
-
 static bool draw_frames(Experiment *experiment, Screen *screen, const View *view, const Frames *frames,
                         const Options *options, Progress *progress, Status *status)
 {
     Figure figure;
     figure_open(&figure, options->size[0], options->size[1]);
     figure.bare = options->bare;
-    const bool sound = take_frames(&figure, experiment, screen, view, frames, progress, status) &&
-                       take_alike(&figure, experiment, screen, view, frames, progress, status) &&
-                       (progress_show(1, progress) || status_fail(status, "interrupted")) &&
-                       figure_write(&figure, ASKER_COMMAND_LINE, options->output, options->force, status);
+    bool sound = take_frames(&figure, experiment, screen, view, frames, progress, status), differ = false;
+    /* Pictures of one page are compared, so displacements are enlarged alike: once more with a factor that
+     * suits all, where each would have its own. */
+    const double least = sound ? figure_enlargement(&figure, &differ) : 1;
+    if (differ) {
+        Settings settings = *experiment_settings(experiment);
+        snprintf(settings_edit_view(&settings)->exaggeration, sizeof settings_view(&settings)->exaggeration,
+                 "%.6g", least);
+        figure_close(&figure);
+        figure_open(&figure, options->size[0], options->size[1]);
+        figure.bare = options->bare;
+        sound = experiment_edit(experiment, &settings, status) &&
+                take_frames(&figure, experiment, screen, view, frames, progress, status);
+    }
+    sound = sound && (progress_show(1, progress) || status_fail(status, "interrupted")) &&
+            figure_write(&figure, ASKER_COMMAND_LINE, options->output, options->force, status);
     figure_close(&figure);
     return sound;
 }
 
-/* The settings of a run behind; false: nothing differs. */
-static bool other_settings(const char *against, const Settings *settings, Settings *other, Status *status)
-{
-    char key[KEY_MAX];
-    *other = *settings;
-    const char *equals = strchr(against, '=');
-    if (!equals || equals == against || equals - against >= KEY_MAX)
-        return status_refuse(status, "--against: \"%.80s\" sets nothing (KEY=VALUE)", against);
-    snprintf(key, sizeof key, "%.*s", (int)(equals - against), against);
-    Status why = {STATUS_DONE, ""};
-    if (!settings_change(other, key, equals + 1, &why))
-        return status_refuse(status, "--against: %s", why.text);
-    return !settings_same(settings, other) ||
-           status_refuse(status, "--against: %.80s is what the run has already", against);
-}
-
-/* Those of all, each another run. */
+/* The settings of all runs behind, each another run than the first and than the others. */
 static bool all_others(const OptionList *against, const Settings *settings, Settings *others, Status *status)
 {
     for (int i = 0; i < against->count; i++) {
-        if (!other_settings(against->texts[i], settings, &others[i], status))
-            return false;
+        const char *text = against->texts[i], *equals = strchr(text, '=');
+        char key[KEY_MAX];
+        Status why = {STATUS_DONE, ""};
+        others[i] = *settings;
+        if (!equals || equals == text || equals - text >= KEY_MAX)
+            return status_refuse(status, "--against: \"%.80s\" sets nothing (KEY=VALUE)", text);
+        snprintf(key, sizeof key, "%.*s", (int)(equals - text), text);
+        if (!settings_change(&others[i], key, equals + 1, &why))
+            return status_refuse(status, "--against: %s", why.text);
+        if (settings_same(settings, &others[i]))
+            return status_refuse(status, "--against: %.80s is what the run has already", text);
         for (int k = 0; k < i; k++)
             if (settings_same(&others[k], &others[i]))
-                return status_refuse(status, "--against: %.80s is given twice (once)", against->texts[i]);
+                return status_refuse(status, "--against: %.80s is given twice (once)", text);
     }
     return true;
 }
@@ -196,10 +165,19 @@ static bool draw(const Options *options, const Settings *settings, const Setting
     sound = sound && suits(options, screen, view, status);
     if (sound && options->against.count > 0 && frames.count > 1)
         sound = status_refuse(status, "--against: is for one picture, not for several times");
-    if (sound && options->against.count > 0)
-        sound = run_against(experiment, others, options->against.count, settings, frames.steps[0], progress,
-                            status) &&
-                plan(&frames, screen, view, settings, status);
+    if (sound && options->against.count > 0) {
+        /* The other runs first, of which the experiment is the first one; their curves stay behind those of
+         * the run itself, where there are several as pinned ones. */
+        const int n_others = options->against.count;
+        const double part = 1.0 / (n_others + 1);
+        experiment_seek(experiment, frames.steps[0], 0);
+        sound = work_off(experiment, 0, part, progress, status);
+        for (int i = 0; i < n_others && sound; i++)
+            sound = (n_others == 1 || experiment_pin(experiment, status)) &&
+                    experiment_rerun(experiment, i + 1 < n_others ? &others[i + 1] : settings, status) &&
+                    work_off(experiment, (i + 1) * part, part, progress, status);
+        sound = sound && plan(&frames, screen, view, settings, status);
+    }
     if (sound) {
         if (!settings_view(settings)->window[0])
             screen->time.window =

@@ -143,16 +143,6 @@ static bool draw(const Options *options, Data *data, const FitResult *result, Pr
     return sound;
 }
 
-static bool may_write(const Options *options, Status *status)
-{
-    OutputNames names = {.asker = ASKER_COMMAND_LINE, .force = options->force};
-    return output_names_differ(&names,
-                               output_names_take(&names, options->output, status) &&
-                                   (!options->figure || figure_allowed(options->figure, status)) &&
-                                   output_names_take(&names, options->figure, status),
-                               status);
-}
-
 /* The run goes as far as the data do. */
 static bool solve(const Options *options, Settings *settings, Data *data, FitTask *task, FitResult *result,
                   Progress *progress, Status *status)
@@ -183,7 +173,13 @@ static bool solve(const Options *options, Settings *settings, Data *data, FitTas
 int cli_fit(Options *options, Status *status)
 {
     Settings settings;
-    if (!options_load(options, options->words[0], &settings, status) || !may_write(options, status))
+    OutputNames names = {.asker = ASKER_COMMAND_LINE, .force = options->force};
+    if (!options_load(options, options->words[0], &settings, status) ||
+        !output_names_differ(&names,
+                             output_names_take(&names, options->output, status) &&
+                                 (!options->figure || figure_allowed(options->figure, status)) &&
+                                 output_names_take(&names, options->figure, status),
+                             status))
         return (int)status->code;
     if (!options->data || !options->sought)
         return progress_result(

@@ -77,15 +77,6 @@ static InputGot read_row(Roster *roster, Status *status)
     return INPUT_LINE;
 }
 
-static int find_column(const Roster *roster, Role role)
-{
-    for (int word = 0; role_heads[role][word]; word++)
-        for (int i = 0; i < roster->count; i++)
-            if (strcasecmp(roster->cells[i], role_heads[role][word]) == 0)
-                return i;
-    return -1;
-}
-
 static const char *cell_of(const Roster *roster, Role role)
 {
     const int at = roster->at[role];
@@ -95,8 +86,13 @@ static const char *cell_of(const Roster *roster, Role role)
 static bool read_head(Roster *roster, Status *status)
 {
     const InputGot got = read_row(roster, status);
-    for (Role role = 0; role < ROLES; role++)
-        roster->at[role] = got == INPUT_LINE ? find_column(roster, role) : -1;
+    for (Role role = 0; role < ROLES; role++) {
+        int *at = &roster->at[role];
+        *at = -1;
+        for (int word = 0; got == INPUT_LINE && role_heads[role][word]; word++)
+            for (int i = 0; i < roster->count && *at < 0; i++)
+                *at = strcasecmp(roster->cells[i], role_heads[role][word]) == 0 ? i : -1;
+    }
     return got != INPUT_WRONG &&
            (roster->at[ROLE_NAME] >= 0 || (roster->at[ROLE_FIRST] >= 0 && roster->at[ROLE_LAST] >= 0) ||
             status_refuse(

@@ -76,27 +76,6 @@ enum { RANGE_WIDTH = 66 }; /* of 120 columns */
 
 enum { LINE_WIDTH = 120, CHOICE_INDENT = 29 };
 
-/* A choice that this problem refuses whatever else is set is marked with what it is defined for. */
-static void print_choice(const Settings *settings, const Parameter *parameter, int choice)
-{
-    static const char defined[] = " is defined for ";
-    Settings other = *settings;
-    Status why = {STATUS_DONE, ""};
-    const char *word = parameter->choices[choice], *sentence = parameter->choice_help(choice), *mark = NULL;
-    const int methods = parameter_in(parameter, settings->problem).methods;
-    while (methods != BY_EVERY_METHOD && !(methods >> other.method & 1))
-        other.method = (MethodKind)((other.method + 1) % METHODS);
-    if (settings_set(&other, parameter->key, word, &why) && !settings_check(&other, &why))
-        mark = strstr(why.text, defined);
-    printf("      %-22s %s", word, sentence);
-    if (mark && !strchr(mark, '=')) {
-        mark += strlen(defined);
-        const bool wide = CHOICE_INDENT + strlen(sentence) + strlen(mark) + 4 > LINE_WIDTH;
-        printf("%s%*s[%s]", wide ? "\n" : "", wide ? CHOICE_INDENT : 2, "", mark);
-    }
-    putchar('\n');
-}
-
 static void print_parameter(const Settings *settings, const Parameter *parameter)
 {
     char value[LIST_MAX], assignment[96], range[160];
@@ -114,8 +93,24 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
     const bool wide = strlen(range) > RANGE_WIDTH; /* has a line of its own */
     printf("  %-*s%s%s%s%s\n      %s\n", wide ? 0 : 43, assignment, wide ? "\n      " : "", range,
            parameter->live ? "  [live]" : "", choice ? methods[row.methods] : "", row.help);
-    for (int i = 1; row.choice_help && i < row.n_choices; i++)
-        print_choice(settings, parameter, i);
+    for (int i = 1; row.choice_help && i < row.n_choices; i++) {
+        /* A choice that this problem refuses whatever else is set is marked with what it is defined for. */
+        static const char defined[] = " is defined for ";
+        Settings other = *settings;
+        Status why = {STATUS_DONE, ""};
+        const char *word = parameter->choices[i], *sentence = parameter->choice_help(i), *mark = NULL;
+        while (row.methods != BY_EVERY_METHOD && !(row.methods >> other.method & 1))
+            other.method = (MethodKind)((other.method + 1) % METHODS);
+        if (settings_set(&other, parameter->key, word, &why) && !settings_check(&other, &why))
+            mark = strstr(why.text, defined);
+        printf("      %-22s %s", word, sentence);
+        if (mark && !strchr(mark, '=')) {
+            mark += strlen(defined);
+            const bool folded = CHOICE_INDENT + strlen(sentence) + strlen(mark) + 4 > LINE_WIDTH;
+            printf("%s%*s[%s]", folded ? "\n" : "", folded ? CHOICE_INDENT : 2, "", mark);
+        }
+        putchar('\n');
+    }
 }
 
 static bool print_derived(Settings *settings, MethodKind method, Status *status)
@@ -168,26 +163,26 @@ static bool print_problem(Settings *settings, bool scenario, Status *status)
     return true;
 }
 
-/* A problem with its defaults, or else a scenario with its values. */
-static bool find_settings(const char *word, Settings *settings, Status *status)
-{
-    const Problem *problem = problem_find(word);
-    char words[256] = "";
-    for (int i = 0; problems[i]; i++)
-        text_or(words, sizeof words, problems[i]->word);
-    if (problem)
-        settings_default(settings, problem);
-    else if (scenario_builtin(word) || strpbrk(word, "./"))
-        return scenario_load(word, settings, status);
-    return problem || status_refuse(status, "params: %.60s is not a problem (%s) or a scenario", word, words);
-}
-
 int cli_params(Options *options, Status *status)
 {
     Settings settings;
-    if (options->n_words == 1 && (!find_settings(options->words[0], &settings, status) ||
-                                  !print_problem(&settings, !problem_find(options->words[0]), status)))
-        return (int)status->code;
+    if (options->n_words == 1) {
+        /* A problem with its defaults, or else a scenario with its values. */
+        const char *word = options->words[0];
+        const Problem *problem = problem_find(word);
+        char words[256] = "";
+        for (int i = 0; problems[i]; i++)
+            text_or(words, sizeof words, problems[i]->word);
+        bool found = problem != NULL;
+        if (problem)
+            settings_default(&settings, problem);
+        else if (scenario_builtin(word) || strpbrk(word, "./"))
+            found = scenario_load(word, &settings, status);
+        else
+            status_refuse(status, "params: %.60s is not a problem (%s) or a scenario", word, words);
+        if (!found || !print_problem(&settings, !problem, status))
+            return (int)status->code;
+    }
     for (int i = 0; problems[i] && options->n_words == 0; i++) {
         settings_default(&settings, problems[i]);
         if (!print_problem(&settings, false, status))

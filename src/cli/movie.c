@@ -20,15 +20,6 @@ enum { SOURCE_BYTES_MAX = 200000000, LINE_BYTES_MAX = 4096, TITLE_BYTES = 256 };
 
 typedef enum Source { SOURCE_WRONG, SOURCE_SCENARIO, SOURCE_SESSION, SOURCE_SCRIPT } Source;
 
-static bool is_instruction(const char *line)
-{
-    const size_t length = strcspn(line, " ");
-    for (const ScriptInstruction *row = script_instructions; row->name; row++)
-        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
-            return true;
-    return false;
-}
-
 /* The first line that is not a comment says what a file is: sessions begin with their scenario, scripts with
  * an instruction. */
 static Source source_of(const char *word, Status *status)
@@ -44,9 +35,11 @@ static Source source_of(const char *word, Status *status)
     while (input_line(&lines, line, sizeof line, &ignored) == INPUT_LINE && (!*line || *line == '#'))
         continue;
     fclose(file);
-    return strncmp(line, "scenario ", 9) == 0 ? SOURCE_SESSION
-           : is_instruction(line)             ? SOURCE_SCRIPT
-                                              : SOURCE_SCENARIO;
+    const size_t length = strcspn(line, " ");
+    for (const ScriptInstruction *row = script_instructions; row->name; row++)
+        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
+            return SOURCE_SCRIPT;
+    return strncmp(line, "scenario ", 9) == 0 ? SOURCE_SESSION : SOURCE_SCENARIO;
 }
 
 static bool set_up(Camera *camera, const Options *options, Status *status)

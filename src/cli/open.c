@@ -30,22 +30,6 @@ typedef struct HomeworkFile {
 
 enum { TRIES_MOST = 999, LESSON_WORD_MAX = 128, LINE_MAX_BYTES = 1024 };
 
-/* Exercises beside choices: what somebody hands in. A lesson that cannot be read is told of where it is
- * opened. */
-static bool is_homework(const char *name, char *title, size_t size)
-{
-    Lesson lesson;
-    Status ignored = {STATUS_DONE, ""};
-    bool found = false;
-    if (!lesson_load(name, command_line_for_lessons, &lesson, &ignored))
-        return false;
-    for (int i = 0; i < lesson.n_pages; i++)
-        found |= lesson.pages[i].exercise != NULL;
-    snprintf(title, size, "%s", lesson.title);
-    lesson_free(&lesson);
-    return found;
-}
-
 /* A line of the terminal; false: it was left empty, or there are no more. */
 static bool ask(const char *question, char out[STUDENT_MAX])
 {
@@ -69,11 +53,6 @@ static bool ask(const char *question, char out[STUDENT_MAX])
     }
 }
 
-static bool exists(const char *file)
-{
-    return access(file, F_OK) == 0;
-}
-
 /* "class/own.lesson" of Ada Lovelace: "own-Ada-Lovelace.session". */
 static bool choose_file(const char *lesson, HomeworkFile *homework, Status *status)
 {
@@ -90,7 +69,7 @@ static bool choose_file(const char *lesson, HomeworkFile *homework, Status *stat
             snprintf(number, sizeof number, "-%d", attempt);
         snprintf(homework->file, sizeof homework->file, "%s%s%s%s.session", word, *word && *name ? "-" : "",
                  name, number);
-        if (!exists(homework->file))
+        if (access(homework->file, F_OK) != 0)
             return output_may_begin(homework->file, ASKER_COMMAND_LINE, false, status);
     }
     return status_refuse(status, "%s: exists, and so do all before it", homework->file);
@@ -101,7 +80,6 @@ static bool choose_file(const char *lesson, HomeworkFile *homework, Status *stat
  * status says why, and that is before a page is seen. */
 static bool homework_begin(const Options *options, const char *lesson, HomeworkFile *homework, Status *status)
 {
-    char title[LINE_MAX_BYTES];
     *homework = (HomeworkFile){.student = ""};
     if (options->name && !variant_student(options->name, homework->student, status))
         return status_prefix(status, "--name");
@@ -111,12 +89,19 @@ static bool homework_begin(const Options *options, const char *lesson, HomeworkF
         return status_prefix(status, "--id");
     if (!lesson || options->handout || options->script)
         return true;
+    Lesson opened;
+    Status ignored = {STATUS_DONE, ""}; /* a lesson that cannot be read is told of where it is opened */
     if (!options->name && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) &&
-        is_homework(lesson, title, sizeof title)) {
-        visible_print(stdout, "%s\n", title);
-        visible_print(stdout, "What you do is kept in a file for your teacher.\n");
-        if (ask("Your name (Enter alone: only look, nothing is kept):", homework->student))
+        lesson_load(lesson, command_line_for_lessons, &opened, &ignored)) {
+        /* Exercises beside choices: what somebody hands in. */
+        bool is_homework = false;
+        for (int i = 0; i < opened.n_pages; i++)
+            is_homework |= opened.pages[i].exercise != NULL;
+        if (is_homework)
+            visible_print(stdout, "%s\nWhat you do is kept in a file for your teacher.\n", opened.title);
+        if (is_homework && ask("Your name (Enter alone: only look, nothing is kept):", homework->student))
             ask("Your ID number or address, where you have one (Enter alone: none):", homework->id);
+        lesson_free(&opened);
     }
     return !*homework->student || options->record || choose_file(lesson, homework, status);
 }
@@ -224,15 +209,6 @@ int cli_lesson(Options *options, Status *status)
 
 /* `matvib lesson NAME --handout FILE.pdf`: a lesson's exercises on paper; `--print`: its text. */
 
-static void write_paragraphs(Leaflet *leaflet, const char *text)
-{
-    while (text && *text) {
-        const size_t length = strcspn(text, "\n");
-        leaflet_line(leaflet, LEAFLET_TEXT, "%.*s", (int)length, text);
-        text += length + (text[length] == '\n');
-    }
-}
-
 static void write_exercise(Leaflet *leaflet, const LessonPage *page)
 {
     char goal[2 * EXPRESSION_MAX];
@@ -283,7 +259,11 @@ int cli_lesson_handout(const Options *options, const char *student, Status *stat
         for (int i = 0; i < lesson.n_pages; i++) {
             const LessonPage *page = &lesson.pages[i];
             leaflet_line(&leaflet, LEAFLET_HEADING, "%d   %s", i + 1, page->title);
-            write_paragraphs(&leaflet, page->first.text);
+            for (const char *text = page->first.text; text && *text;) {
+                const size_t length = strcspn(text, "\n");
+                leaflet_line(&leaflet, LEAFLET_TEXT, "%.*s", (int)length, text);
+                text += length + (text[length] == '\n');
+            }
             write_exercise(&leaflet, page);
         }
         sound = leaflet_finish(&leaflet, status);

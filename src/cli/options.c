@@ -352,22 +352,6 @@ static bool unknown(const char *command, const char *name, Status *status)
                          open ? "" : " ");
 }
 
-static const Option *find(const char *command, const char *name)
-{
-    for (int i = 0; i < n_options; i++)
-        if (strcmp(options_table[i].name, name) == 0 && takes(&options_table[i], command))
-            return &options_table[i];
-    return NULL;
-}
-
-static const Option *find_letter(const char *command, char letter)
-{
-    for (int i = 0; i < n_options; i++)
-        if (options_table[i].letter == letter && takes(&options_table[i], command))
-            return &options_table[i];
-    return NULL;
-}
-
 /* An option with its value, which may be in the same argument: behind '=', or right behind a letter. Moves
  * *at on. */
 static bool take_option(const char *command, int count, char **arguments, int *at, Options *options,
@@ -378,7 +362,10 @@ static bool take_option(const char *command, int count, char **arguments, int *a
     const bool is_letter = argument[1] != '-';
     const size_t length = is_letter ? 2 : equals ? (size_t)(equals - argument) : strlen(argument);
     snprintf(name, sizeof name, "%.*s", (int)length, argument);
-    const Option *option = is_letter ? find_letter(command, argument[1]) : find(command, name);
+    const Option *option = NULL;
+    for (const Option *row = options_table; row < options_table + n_options && !option; row++)
+        if ((is_letter ? row->letter == argument[1] : strcmp(row->name, name) == 0) && takes(row, command))
+            option = row;
     if (!option)
         return unknown(command, is_letter ? argument : name, status);
     const char *value = !argument[strlen(name)] ? NULL : argument + length + !is_letter;

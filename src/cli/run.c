@@ -109,24 +109,6 @@ static void print_summary(const Options *options, const Settings *settings, cons
     free(vtk);
 }
 
-/* Times that no table is written at are a slip. Those of a scenario file wait for a run with tables. */
-static bool times_are_used(const Options *options, Status *status)
-{
-    const Outputs *outputs = &options->outputs;
-    if (outputs->particles || outputs->nodes || outputs->bonds || outputs->vtk)
-        return true;
-    for (int i = 0; i < options->n_overrides; i++) {
-        const char *origin = options->overrides[i].origin;
-        if (strcmp(origin, "--frames") == 0 || strcmp(origin, "--at") == 0)
-            return status_refuse(
-                status,
-                "%s: there is no table to write at these times (--particles, --nodes, --bonds "
-                "or --vtk)",
-                origin);
-    }
-    return true;
-}
-
 /* --stages FROM:TO, or the number of one step. */
 static bool read_stages(Options *options, Status *status)
 {
@@ -155,18 +137,32 @@ static bool read_stages(Options *options, Status *status)
 int cli_run(Options *options, Status *status)
 {
     Settings settings;
-    if (!options_load(options, options->words[0], &settings, status) || !times_are_used(options, status) ||
-        !read_stages(options, status))
+    const Outputs *outputs = &options->outputs;
+    if (!options_load(options, options->words[0], &settings, status))
         return (int)status->code;
-    if (options->json && writes_to_standard_output(&options->outputs))
+    /* Times that no table is written at are a slip. Those of a scenario file wait for a run with tables. */
+    const bool has_tables = outputs->particles || outputs->nodes || outputs->bonds || outputs->vtk;
+    for (int i = 0; i < options->n_overrides && !has_tables; i++) {
+        const char *origin = options->overrides[i].origin;
+        if (strcmp(origin, "--frames") == 0 || strcmp(origin, "--at") == 0)
+            return progress_result(
+                status_refuse(status,
+                              "%s: there is no table to write at these times (--particles, --nodes, --bonds "
+                              "or --vtk)",
+                              origin),
+                status);
+    }
+    if (!read_stages(options, status))
+        return (int)status->code;
+    if (options->json && writes_to_standard_output(outputs))
         return progress_result(status_refuse(status, "--json: standard output has a table (--series FILE)"),
                                status);
     Progress progress;
     progress_begin(&progress, options->quiet);
     settings.cancel = (Cancel){progress_show, &progress};
     RunSummary summary;
-    bool done = export_run(&settings, &options->outputs, progress_threads(options->threads), progress_show,
-                           &progress, &summary, status);
+    bool done = export_run(&settings, outputs, progress_threads(options->threads), progress_show, &progress,
+                           &summary, status);
     progress_end(&progress);
     if (progress_signal() != 0 && !done && !summary.failed)
         return progress_result(false, status);

@@ -27,23 +27,6 @@ static void put_number(FILE *file, uint32_t number, int bytes)
         fputc((int)(number >> 8 * i & 0xff), file);
 }
 
-static void put_head(FILE *file, uint32_t samples)
-{
-    const uint32_t channels = 2, width = 2, data = samples * channels * width;
-    fputs("RIFF", file);
-    put_number(file, 36 + data, 4);
-    fputs("WAVEfmt ", file);
-    put_number(file, 16, 4);
-    put_number(file, 1, 2); /* PCM */
-    put_number(file, channels, 2);
-    put_number(file, WAV_RATE, 4);
-    put_number(file, WAV_RATE * channels * width, 4);
-    put_number(file, channels * width, 2);
-    put_number(file, 8 * width, 2);
-    fputs("data", file);
-    put_number(file, data, 4);
-}
-
 /* s(t) = a(t) sin(2 pi f t), a rising and falling evenly at the ends */
 static void put_sample(FILE *file, double frequency, double time, double seconds)
 {
@@ -103,7 +86,19 @@ static bool write_tones(const Options *options, const Tones *tones, Status *stat
     /* Pure tones of these frequencies, Hz, for so many seconds. They fade in and out over a fiftieth of a
      * second, so that nothing clicks. */
     const uint32_t samples = (uint32_t)lround(seconds * WAV_RATE);
-    put_head(file.stream, samples);
+    const uint32_t channels = 2, width = 2, data = samples * channels * width;
+    fputs("RIFF", file.stream);
+    put_number(file.stream, 36 + data, 4);
+    fputs("WAVEfmt ", file.stream);
+    put_number(file.stream, 16, 4);
+    put_number(file.stream, 1, 2); /* PCM */
+    put_number(file.stream, channels, 2);
+    put_number(file.stream, WAV_RATE, 4);
+    put_number(file.stream, WAV_RATE * channels * width, 4);
+    put_number(file.stream, channels * width, 2);
+    put_number(file.stream, 8 * width, 2);
+    fputs("data", file.stream);
+    put_number(file.stream, data, 4);
     for (uint32_t i = 0; i < samples; i++) {
         const double time = (double)i / WAV_RATE;
         put_sample(file.stream, tones->measured * tones->times, time, seconds);

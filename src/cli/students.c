@@ -16,19 +16,14 @@ struct Student {
     bool right[LESSON_PAGES_MAX], wrong[LESSON_PAGES_MAX], unread[LESSON_PAGES_MAX];
 };
 
-static bool is_same(const Student *student, const char *name, const char *id)
-{
-    const bool same_name = strcmp(student->name, name) == 0;
-    if (!*student->id || !*id)
-        return same_name;
-    return strcmp(student->id, id) == 0 && (same_name || student->listed);
-}
-
 static Student *find(const Students *students, const char *name, const char *id)
 {
-    for (int i = 0; i < students->count; i++)
-        if (is_same(&students->list[i], name, id))
-            return &students->list[i];
+    for (int i = 0; i < students->count; i++) {
+        Student *student = &students->list[i];
+        const bool same_name = strcmp(student->name, name) == 0, have_ids = *student->id && *id;
+        if (have_ids ? strcmp(student->id, id) == 0 && (same_name || student->listed) : same_name)
+            return student;
+    }
     return NULL;
 }
 
@@ -98,49 +93,45 @@ enum { FEEDBACK_MAX = 8192 };
 static const char *const columns[CELLS] = {"ID number",         "Full name", "Grade",    "Maximum grade",
                                            "Feedback comments", "To read",   "Sessions", "Remark"};
 
-static void write_student(const Students *students, const Student *student, const Lesson *lesson,
-                          FILE *stream, Dialect dialect)
-{
-    double sum = 0, most = 0, unread = 0;
-    char remark[GRADING_REMARK_MAX + 32];
-    char feedback[FEEDBACK_MAX] = "", grade[NUMBER_TEXT_MAX] = "", maximum[NUMBER_TEXT_MAX],
-         to_read[NUMBER_TEXT_MAX], sessions[NUMBER_TEXT_MAX];
-    for (int page = 0; page < lesson->n_pages; page++) {
-        const double points = lesson_points(&lesson->pages[page]);
-        const bool once = lesson_exercise(&lesson->pages[page]) == EXERCISE_CHOICE;
-        const bool right = student->right[page] && !(once && student->wrong[page]);
-        most += points;
-        sum += right ? points : 0;
-        unread += student->unread[page] ? points : 0;
-        if (points > 0 && student->sessions > 0)
-            text_append(feedback, sizeof feedback, "%s%d %s: %s", *feedback ? "; " : "", page + 1,
-                        lesson->pages[page].title,
-                        right                   ? "right"
-                        : student->wrong[page]  ? "not right"
-                        : student->unread[page] ? "to be read"
-                                                : "no answer");
-    }
-    if (student->sessions > 0)
-        text_shortest(grade, sum);
-    text_shortest(maximum, most);
-    text_shortest(to_read, unread);
-    snprintf(sessions, sizeof sessions, "%d", student->sessions);
-    snprintf(remark, sizeof remark, "%s%s%s", student->remark,
-             *student->remark && students->listed && !student->listed ? "; " : "",
-             student->came == 0                     ? "missing"
-             : students->listed && !student->listed ? "not in the list of the class"
-                                                    : "");
-    csv_words(stream, dialect,
-              (const char *[CELLS]){student->id, student->name, grade, maximum, feedback, to_read, sessions,
-                                    remark},
-              CELLS);
-}
-
 void students_write(const Students *students, const Lesson *lesson, FILE *stream, Dialect dialect)
 {
     csv_header(stream, dialect, columns, CELLS);
-    for (int i = 0; i < students->count; i++)
-        write_student(students, &students->list[i], lesson, stream, dialect);
+    for (int i = 0; i < students->count; i++) {
+        const Student *student = &students->list[i];
+        double sum = 0, most = 0, unread = 0;
+        char remark[GRADING_REMARK_MAX + 32];
+        char feedback[FEEDBACK_MAX] = "", grade[NUMBER_TEXT_MAX] = "", maximum[NUMBER_TEXT_MAX],
+             to_read[NUMBER_TEXT_MAX], sessions[NUMBER_TEXT_MAX];
+        for (int page = 0; page < lesson->n_pages; page++) {
+            const double points = lesson_points(&lesson->pages[page]);
+            const bool once = lesson_exercise(&lesson->pages[page]) == EXERCISE_CHOICE;
+            const bool right = student->right[page] && !(once && student->wrong[page]);
+            most += points;
+            sum += right ? points : 0;
+            unread += student->unread[page] ? points : 0;
+            if (points > 0 && student->sessions > 0)
+                text_append(feedback, sizeof feedback, "%s%d %s: %s", *feedback ? "; " : "", page + 1,
+                            lesson->pages[page].title,
+                            right                   ? "right"
+                            : student->wrong[page]  ? "not right"
+                            : student->unread[page] ? "to be read"
+                                                    : "no answer");
+        }
+        if (student->sessions > 0)
+            text_shortest(grade, sum);
+        text_shortest(maximum, most);
+        text_shortest(to_read, unread);
+        snprintf(sessions, sizeof sessions, "%d", student->sessions);
+        snprintf(remark, sizeof remark, "%s%s%s", student->remark,
+                 *student->remark && students->listed && !student->listed ? "; " : "",
+                 student->came == 0                     ? "missing"
+                 : students->listed && !student->listed ? "not in the list of the class"
+                                                        : "");
+        csv_words(stream, dialect,
+                  (const char *[CELLS]){student->id, student->name, grade, maximum, feedback, to_read,
+                                        sessions, remark},
+                  CELLS);
+    }
 }
 
 void students_free(Students *students)

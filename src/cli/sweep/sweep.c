@@ -197,11 +197,21 @@ static uint64_t number_of(const Settings *settings)
 
 /* Every combination is read and checked before the first one runs, so that bad input is found at once, not
  * after hours. */
-static bool check_combinations(Sweep *sweep, Status *status)
+static bool prepare(Sweep *sweep, Status *status)
 {
-    const SweepPlan *plan = &sweep->plan;
+    SweepPlan *plan = &sweep->plan;
     Settings settings;
-    for (int i = 0; i < plan->n_combinations; i++) {
+    if (!sweep_plan_read(plan, sweep->options, status))
+        return false;
+    const int count = plan->n_combinations, threads = progress_threads(sweep->options->threads);
+    sweep->numbers = calloc((size_t)count, sizeof *sweep->numbers);
+    sweep->results = calloc((size_t)count, sizeof *sweep->results);
+    sweep->keys = calloc((size_t)count * (size_t)plan->n_keys, sizeof *sweep->keys);
+    if (!sweep->numbers || !sweep->results || !sweep->keys)
+        return no_memory(status);
+    sweep->at_once = threads < count ? threads : count;
+    sweep->threads = threads / sweep->at_once;
+    for (int i = 0; i < count; i++) {
         if (!sweep_plan_load(plan, sweep->options, i, false, &settings, status))
             return false;
         for (int k = 0; k < plan->n_keys; k++) {
@@ -224,21 +234,6 @@ static bool check_combinations(Sweep *sweep, Status *status)
     return true;
 }
 
-static bool prepare(Sweep *sweep, Status *status)
-{
-    if (!sweep_plan_read(&sweep->plan, sweep->options, status))
-        return false;
-    const int count = sweep->plan.n_combinations, threads = progress_threads(sweep->options->threads);
-    sweep->numbers = calloc((size_t)count, sizeof *sweep->numbers);
-    sweep->results = calloc((size_t)count, sizeof *sweep->results);
-    sweep->keys = calloc((size_t)count * (size_t)sweep->plan.n_keys, sizeof *sweep->keys);
-    if (!sweep->numbers || !sweep->results || !sweep->keys)
-        return no_memory(status);
-    sweep->at_once = threads < count ? threads : count;
-    sweep->threads = threads / sweep->at_once;
-    return check_combinations(sweep, status);
-}
-
 /* --- the runs, on any thread ---------------------------------------------------------------------- */
 
 typedef struct OneRun {
@@ -258,56 +253,40 @@ static bool show_share(double share, void *context)
     return goes_on;
 }
 
-static void run_combination(Sweep *sweep, int combination)
-{
-    SweepResult *result = &sweep->results[combination];
-    OneRun run = {sweep, 0};
-    Settings settings;
-    RunSummary summary;
-    Status *why = &result->failure;
-    if (!show_share(0, &run) ||
-        !sweep_plan_load(&sweep->plan, sweep->options, combination, false, &settings, why))
-        return;
-    const uint64_t number = number_of(&settings);
-    if (number != sweep->numbers[combination]) {
-        number == 0 ? no_memory(why)
-                    : status_fail(why, "%s has changed since the sweep began", sweep->options->words[0]);
-        return;
-    }
-    if (sweep->options->steps > 0 &&
-        !sweep_plan_load(&sweep->plan, sweep->options, combination, true, &settings, why))
-        return;
-    settings.cancel = (Cancel){show_share, &run};
-    double began = clock_seconds();
-    if (export_run(&settings, &(Outputs){0}, sweep->threads, show_share, &run, &summary, why))
-        sweep_result_of(&summary, &settings, clock_seconds() - began, result);
-    show_share(1, &run);
-}
-
-/* One after the other, so that none waits behind a long one while a thread has nothing to do. */
+/* One combination after the other, so that none waits behind a long one while a thread has nothing to do. */
 static void run_while_there_are(void *context, int chunk, int worker)
 {
     (void)chunk, (void)worker;
     Sweep *sweep = context;
+    const Options *options = sweep->options;
     for (;;) {
         pthread_mutex_lock(&sweep->lock);
         const int combination = sweep->next++;
         pthread_mutex_unlock(&sweep->lock);
         if (combination >= sweep->plan.n_combinations)
             return;
-        run_combination(sweep, combination);
+        SweepResult *result = &sweep->results[combination];
+        OneRun run = {sweep, 0};
+        Settings settings;
+        RunSummary summary;
+        Status *why = &result->failure;
+        if (!show_share(0, &run) ||
+            !sweep_plan_load(&sweep->plan, options, combination, false, &settings, why))
+            continue;
+        const uint64_t number = number_of(&settings);
+        if (number != sweep->numbers[combination]) {
+            number == 0 ? no_memory(why)
+                        : status_fail(why, "%s has changed since the sweep began", options->words[0]);
+            continue;
+        }
+        if (options->steps > 0 && !sweep_plan_load(&sweep->plan, options, combination, true, &settings, why))
+            continue;
+        settings.cancel = (Cancel){show_share, &run};
+        double began = clock_seconds();
+        if (export_run(&settings, &(Outputs){0}, sweep->threads, show_share, &run, &summary, why))
+            sweep_result_of(&summary, &settings, clock_seconds() - began, result);
+        show_share(1, &run);
     }
-}
-
-static void warn(const Sweep *sweep, int combination)
-{
-    const SweepResult *result = &sweep->results[combination];
-    char values[512];
-    if (!result->failure.text[0])
-        return;
-    sweep_plan_describe(&sweep->plan, combination, values, sizeof values);
-    visible_print(stderr, "%s: %s: %s\n", result->done ? "no frequency" : "left out", values,
-                  result->failure.text);
 }
 
 static int run_all(Sweep *sweep, Status *status)
@@ -321,8 +300,15 @@ static int run_all(Sweep *sweep, Status *status)
     pool_destroy(pool);
     if (progress_signal() != 0)
         return progress_result(status_fail(status, "interrupted"), status);
-    for (int i = 0; i < sweep->plan.n_combinations; i++)
-        warn(sweep, i);
+    for (int i = 0; i < sweep->plan.n_combinations; i++) {
+        const SweepResult *result = &sweep->results[i];
+        char values[512];
+        if (!result->failure.text[0])
+            continue;
+        sweep_plan_describe(&sweep->plan, i, values, sizeof values);
+        visible_print(stderr, "%s: %s: %s\n", result->done ? "no frequency" : "left out", values,
+                      result->failure.text);
+    }
     return STATUS_DONE;
 }
 
@@ -426,41 +412,30 @@ static int write_all(Sweep *sweep, Status *status)
 
 /* --- the command ---------------------------------------------------------------------------------- */
 
-static bool is_regular(const char *name)
-{
-    struct stat what;
-    return !output_is_standard(name) && (stat(name, &what) != 0 || S_ISREG(what.st_mode));
-}
-
 static bool may_begin(const Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
     if (!options->output)
         return true;
+    struct stat what;
+    const bool is_regular =
+        !output_is_standard(options->output) && (stat(options->output, &what) != 0 || S_ISREG(what.st_mode));
     char *beside = beside_name(options->output, status);
     const bool good = beside &&
                       output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status) &&
-                      (!is_regular(options->output) ||
-                       output_may_begin(beside, ASKER_COMMAND_LINE, options->force, status));
+                      (!is_regular || output_may_begin(beside, ASKER_COMMAND_LINE, options->force, status));
     free(beside);
     return good;
-}
-
-static int sweep_through(Sweep *sweep, Status *status)
-{
-    if (!prepare(sweep, status))
-        return (int)status->code;
-    if (!may_begin(sweep, status))
-        return (int)status->code;
-    const int result = run_all(sweep, status);
-    return result == STATUS_DONE ? write_all(sweep, status) : result;
 }
 
 int cli_sweep(Options *options, Status *status)
 {
     Sweep sweep = {.options = options};
     pthread_mutex_init(&sweep.lock, NULL);
-    int result = sweep_through(&sweep, status);
+    const bool begins = prepare(&sweep, status) && may_begin(&sweep, status);
+    int result = begins ? run_all(&sweep, status) : (int)status->code;
+    if (result == STATUS_DONE)
+        result = write_all(&sweep, status);
     sweep_plan_free(&sweep.plan);
     free(sweep.numbers);
     free(sweep.results);

@@ -49,19 +49,6 @@ static bool read_list(SweepKey *key, const char *text, Status *status)
     }
 }
 
-static bool split_range(const char *text, char parts[3][VALUE_MAX])
-{
-    for (int i = 0; i < 3; i++) {
-        size_t length = strcspn(text, ":");
-        if (length >= VALUE_MAX || (text[length] == ':') != (i < 2))
-            return false;
-        memcpy(parts[i], text, length);
-        parts[i][length] = '\0';
-        text += length + 1;
-    }
-    return true;
-}
-
 /* LO:HI:N is N values, evenly spaced, both ends among them. Twelve digits keep the sums of tenths readable;
  * the ends are taken as they were written. */
 static bool read_range(SweepKey *key, const char *text, Status *status)
@@ -69,7 +56,15 @@ static bool read_range(SweepKey *key, const char *text, Status *status)
     char parts[3][VALUE_MAX];
     double low, high;
     long count;
-    if (!split_range(text, parts) || !text_to_double(parts[0], &low) || !text_to_double(parts[1], &high) ||
+    const char *part = text;
+    bool split = true;
+    for (int i = 0; i < 3 && split; i++) {
+        const size_t length = strcspn(part, ":");
+        split = length < VALUE_MAX && (part[length] == ':') == (i < 2);
+        snprintf(parts[i], VALUE_MAX, "%.*s", (int)length, part);
+        part += length + 1;
+    }
+    if (!split || !text_to_double(parts[0], &low) || !text_to_double(parts[1], &high) ||
         !text_to_long(parts[2], &count) || count < 2 || count > SWEEP_COMBINATIONS_MAX)
         return status_refuse(status, "%s: %s: %.60s is not a range (LO:HI:N, N from 2 to %d)", key->origin,
                              key->key, text, SWEEP_COMBINATIONS_MAX);
@@ -84,30 +79,6 @@ static bool read_range(SweepKey *key, const char *text, Status *status)
 
 /* --- axes ----------------------------------------------------------------------------------------- */
 
-/* A text has no number, and every cell of the table is one. */
-static bool has_a_number(const SweepKey *key, Status *status)
-{
-    const RowColumn *of_row = row_key_column(key->key);
-    const bool edge = of_row && of_row->value == ROW_EDGE;
-    if (key->parameter ? key->parameter->type == PARAMETER_TEXT : edge || parameter_text_find(key->key))
-        return status_refuse(status, "%s: %s: is a text (numbers and choices can be varied)", key->origin,
-                             key->key);
-    return strncmp(key->key, "output.", 7) != 0 ||
-           status_refuse(status, "%s: %s: does not change the run (a parameter that does)", key->origin,
-                         key->key);
-}
-
-static bool is_new(const SweepPlan *plan, const SweepKey *key, const Options *options, Status *status)
-{
-    for (int i = 0; i < plan->n_keys; i++)
-        if (strcmp(plan->keys[i].key, key->key) == 0)
-            return status_refuse(status, "%s: %s: is varied twice (once)", key->origin, key->key);
-    if (strcmp(key->key, "time.end") == 0 && options->steps > 0)
-        return status_refuse(status, "%s: time.end: --steps says when the run ends (one of them)",
-                             key->origin);
-    return true;
-}
-
 static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
 {
     if (strcmp(key->origin, "--with") != 0) {
@@ -119,9 +90,9 @@ static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
         plan->n_combinations = (int)all;
         return true;
     }
-    if (plan->n_keys == 0)
+    if (key == plan->keys)
         return status_refuse(status, "--with: %s: needs a --vary before it", key->key);
-    const SweepKey *first = &plan->keys[plan->n_keys - 1];
+    const SweepKey *first = key - 1;
     key->axis = first->axis;
     if (key->count != first->count)
         return status_refuse(status, "--with: %s: has %d values beside %d of %s (as many)", key->key,
@@ -131,7 +102,8 @@ static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
 
 static bool read_key(SweepPlan *plan, const SweepAxis *axis, const Options *options, Status *status)
 {
-    SweepKey *key = &plan->keys[plan->n_keys];
+    SweepKey *key =
+        &plan->keys[plan->n_keys++]; /* even if it is bad: what it holds is freed with the others */
     const char *equals = strchr(axis->text, '=');
     *key = (SweepKey){.origin = axis->origin};
     if (!equals || equals == axis->text || equals - axis->text >= KEY_MAX)
@@ -139,11 +111,23 @@ static bool read_key(SweepPlan *plan, const SweepAxis *axis, const Options *opti
                              axis->text);
     memcpy(key->key, axis->text, (size_t)(equals - axis->text));
     key->parameter = parameter_find(key->key);
-    bool range = strchr(equals + 1, ':') != NULL;
-    bool read = is_new(plan, key, options, status) && has_a_number(key, status) &&
-                (range ? read_range : read_list)(key, equals + 1, status) && join_axis(plan, key, status);
-    plan->n_keys++; /* even if it is bad: what it holds is freed with the others */
-    return read;
+    for (const SweepKey *other = plan->keys; other < key; other++)
+        if (strcmp(other->key, key->key) == 0)
+            return status_refuse(status, "%s: %s: is varied twice (once)", key->origin, key->key);
+    if (strcmp(key->key, "time.end") == 0 && options->steps > 0)
+        return status_refuse(status, "%s: time.end: --steps says when the run ends (one of them)",
+                             key->origin);
+    /* A text has no number, and every cell of the table is one. */
+    const RowColumn *of_row = row_key_column(key->key);
+    const bool edge = of_row && of_row->value == ROW_EDGE;
+    if (key->parameter ? key->parameter->type == PARAMETER_TEXT : edge || parameter_text_find(key->key))
+        return status_refuse(status, "%s: %s: is a text (numbers and choices can be varied)", key->origin,
+                             key->key);
+    if (strncmp(key->key, "output.", 7) == 0)
+        return status_refuse(status, "%s: %s: does not change the run (a parameter that does)", key->origin,
+                             key->key);
+    const bool range = strchr(equals + 1, ':') != NULL;
+    return (range ? read_range : read_list)(key, equals + 1, status) && join_axis(plan, key, status);
 }
 
 bool sweep_plan_read(SweepPlan *plan, const Options *options, Status *status)

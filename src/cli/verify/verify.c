@@ -311,21 +311,10 @@ void verify_check_run(Verify *verify, const VerifyCheck *check, bool full)
     fprintf(verify->out, check->note ? "  %s\n\n" : "\n", check->note);
 }
 
-static void print_counts(const Verify *verify)
-{
-    const long *references = verify->references, *bounds = verify->bounds, *papers = verify->papers;
-    fprintf(verify->out, "ours: %ld of %ld reproduced; %ld of %ld bounds hold\n", references[VERDICT_GOOD],
-            references[VERDICT_GOOD] + references[VERDICT_MISSED], bounds[VERDICT_GOOD],
-            bounds[VERDICT_GOOD] + bounds[VERDICT_MISSED]);
-    fprintf(verify->out, "paper: %ld agree, %ld near, %ld differ%s, %ld not given\n", papers[PAPER_AGREES],
-            papers[PAPER_NEAR], papers[PAPER_DIFFERS], papers[PAPER_DIFFERS] == 1 ? "s" : "",
-            papers[PAPER_SILENT]);
-}
-
 int verify_end(Verify *verify, Status *status)
 {
     verify_run_close(&verify->run);
-    const long *references = verify->references, *bounds = verify->bounds;
+    const long *references = verify->references, *bounds = verify->bounds, *papers = verify->papers;
     const long missed = references[VERDICT_MISSED] + bounds[VERDICT_MISSED];
     if (verify->json)
         quantities_close(verify->json); /* what there is, whole */
@@ -337,8 +326,14 @@ int verify_end(Verify *verify, Status *status)
     }
     if (ferror(verify->out))
         return STATUS_DONE; /* not all was run; closing the stream reports the error */
-    if (!verify->json)
-        print_counts(verify);
+    if (!verify->json) {
+        fprintf(verify->out, "ours: %ld of %ld reproduced; %ld of %ld bounds hold\n",
+                references[VERDICT_GOOD], references[VERDICT_GOOD] + references[VERDICT_MISSED],
+                bounds[VERDICT_GOOD], bounds[VERDICT_GOOD] + bounds[VERDICT_MISSED]);
+        fprintf(verify->out, "paper: %ld agree, %ld near, %ld differ%s, %ld not given\n",
+                papers[PAPER_AGREES], papers[PAPER_NEAR], papers[PAPER_DIFFERS],
+                papers[PAPER_DIFFERS] == 1 ? "s" : "", papers[PAPER_SILENT]);
+    }
     if (missed == 0)
         return STATUS_DONE;
     status_fail(status, "verify: %ld of %ld missed", missed,

@@ -260,62 +260,53 @@ double quantity_energy_gained(VerifyRun *run, const VerifyRow *row)
 
 /* --- by bisection ---------------------------------------------------------------------------------- */
 
-/* Whether a particle enters another cell: *out. */
-static bool crosses(const Settings *settings, bool *out, Status *status)
+/* The velocity with which a particle first enters another cell. */
+double quantity_crossing_velocity(VerifyRun *verified, const VerifyRow *row)
 {
-    Run run;
-    const bool sound = run_open(&run, settings, problem_simulate(settings, 1, status), status) &&
-                       run_start(&run, NULL, status) && run_to_end(&run, NULL, status);
-    *out = false;
-    for (int i = 0; sound && i < run.sim->n_events; i++)
-        *out = *out || run.sim->events[i].kind == EVENT_CROSSING;
-    run_close(&run);
-    return sound;
-}
-
-double quantity_crossing_velocity(VerifyRun *run, const VerifyRow *row)
-{
-    Settings settings = run->settings;
+    Settings settings = verified->settings;
+    Status *status = &verified->failure;
     double low = row->from, high = row->to;
     while (high - low > 1e-4) {
-        bool crossed;
         settings_edit_start(&settings)->velocity = (low + high) / 2;
-        if (!crosses(&settings, &crossed, &run->failure))
+        Run run;
+        const bool sound = run_open(&run, &settings, problem_simulate(&settings, 1, status), status) &&
+                           run_start(&run, NULL, status) && run_to_end(&run, NULL, status);
+        bool crossed = false;
+        for (int i = 0; sound && i < run.sim->n_events; i++)
+            crossed = crossed || run.sim->events[i].kind == EVENT_CROSSING;
+        run_close(&run);
+        if (!sound)
             return NAN;
         *(crossed ? &high : &low) = settings_start(&settings)->velocity;
     }
     return high;
 }
 
-/* Whether the energy stays what it was, but for a ripple. What grows, grows from the rounding of numbers. */
-static bool stays_bounded(const Settings *settings, bool *bounded, Status *status)
+/* The Courant number up to which the energy stays what it was, but for a ripple. What grows, grows from the
+ * rounding of numbers. */
+double quantity_courant_limit(VerifyRun *verified, const VerifyRow *row)
 {
     enum { STEPS = 20000 };
-    double row[COLUMNS_MAX];
-    Run run;
-    const bool open = run_open(&run, settings, problem_simulate(settings, 1, status), status);
-    if (open) {
-        const int total = simulation_find_series(run.sim, "total");
-        simulation_row(run.sim, row);
-        const double start = row[total];
-        Status stopped; /* a run that blows up may stop by itself: that is the answer, not a failure */
-        run.last = STEPS;
-        *bounded = run_to_end(&run, NULL, &stopped);
-        simulation_row(run.sim, row);
-        *bounded = *bounded && row[total] < 100 * start;
-    }
-    run_close(&run);
-    return open;
-}
-
-double quantity_courant_limit(VerifyRun *run, const VerifyRow *row)
-{
-    Settings settings = run->settings;
-    double low = row->from, high = row->to;
+    Settings settings = verified->settings;
+    Status *status = &verified->failure;
+    double low = row->from, high = row->to, cells[COLUMNS_MAX];
     while (high - low > 2e-4 * high) {
-        bool bounded;
         settings_edit_time(&settings)->courant = (low + high) / 2;
-        if (!stays_bounded(&settings, &bounded, &run->failure))
+        bool bounded = false;
+        Run run;
+        const bool open = run_open(&run, &settings, problem_simulate(&settings, 1, status), status);
+        if (open) {
+            const int total = simulation_find_series(run.sim, "total");
+            simulation_row(run.sim, cells);
+            const double start = cells[total];
+            Status stopped; /* a run that blows up may stop by itself: that is the answer, not a failure */
+            run.last = STEPS;
+            bounded = run_to_end(&run, NULL, &stopped);
+            simulation_row(run.sim, cells);
+            bounded = bounded && cells[total] < 100 * start;
+        }
+        run_close(&run);
+        if (!open)
             return NAN;
         *(bounded ? &low : &high) = settings_time(&settings)->courant;
     }
@@ -380,21 +371,19 @@ double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
 
 typedef enum FrontNumber { BRANCH_X, BRANCH_TIME, HALF_ANGLE, FASTEST, ANGLE } FrontNumber;
 
-static double number_of(const CrackFront *front, FrontNumber which, double height)
-{
-    const double of_branch[] = {front->branch[0], front->branch_time, front->half_angle};
-    if (which <= HALF_ANGLE)
-        return front->branched ? of_branch[which] : NAN;
-    return which == FASTEST ? front->fastest : fabs(crack_fronts_angle(front, height));
-}
-
 /* Of the first front; NAN: there is no front, or it has no such number. */
 static double front_number(const VerifyRun *run, FrontNumber which, double height)
 {
     CrackFronts fronts = {0};
     double number = NAN;
-    if (crack_fronts_update(&fronts, run->passing.sim) && fronts.count > 0)
-        number = number_of(&fronts.fronts[0], which, height);
+    if (crack_fronts_update(&fronts, run->passing.sim) && fronts.count > 0) {
+        const CrackFront *front = &fronts.fronts[0];
+        const double of_branch[] = {front->branch[0], front->branch_time, front->half_angle};
+        if (which > HALF_ANGLE)
+            number = which == FASTEST ? front->fastest : fabs(crack_fronts_angle(front, height));
+        else if (front->branched)
+            number = of_branch[which];
+    }
     crack_fronts_free(&fronts);
     return number;
 }
