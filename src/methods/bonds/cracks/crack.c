@@ -83,10 +83,12 @@ static bool find_tip(const Beam *beam, double *x, double *y)
     return false;
 }
 
-/* From the notch's end through the centres of the rows, upwards: sum hypot(dx, dy), m. Rows that did not
- * break are bridged by a straight line. */
-static double path_length(const Beam *beam)
+/* The path goes from the notch's end through the centres of the rows, upwards: sum hypot(dx, dy), m. Rows
+ * that did not break are bridged by a straight line. Length and tip only grow: where a centre moves back
+ * because its row breaks further, the crack does not shrink. */
+void crack_follow(Beam *beam)
 {
+    StateHead *head = beam->head;
     double x = beam->def.notch_position, y = beam->def.notch_depth, length = 0;
     for (int j = 0; j < beam->lattice.ny; j++) {
         double next_y = lattice_y(&beam->lattice, j), next_x;
@@ -96,16 +98,7 @@ static double path_length(const Beam *beam)
         x = next_x;
         y = next_y;
     }
-    return length;
-}
-
-/* Length and tip only grow: where a centre moves back because its row breaks further, the crack does not
- * shrink. */
-void crack_follow(Beam *beam)
-{
-    StateHead *head = beam->head;
-    double x, y;
-    head->crack_length = fmax(head->crack_length, path_length(beam));
+    head->crack_length = fmax(head->crack_length, length);
     if (find_tip(beam, &x, &y) && y > head->tip_y) {
         head->tip_x = x;
         head->tip_y = y;

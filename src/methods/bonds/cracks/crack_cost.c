@@ -37,14 +37,6 @@ static double distance(const double at[2], const double c[2], const double d[2])
     return math_hypot(c[0] + along * x - at[0], c[1] + along * y - at[1]);
 }
 
-/* Whether a place is farther from the rectangle about a segment than this, and so from the segment: for most
- * of a long path that answers all. */
-static bool is_off(const double c[2], const double d[2], const double at[2], double reach)
-{
-    return at[0] < fmin(c[0], d[0]) - reach || at[0] > fmax(c[0], d[0]) + reach ||
-           at[1] < fmin(c[1], d[1]) - reach || at[1] > fmax(c[1], d[1]) + reach;
-}
-
 /* The energy of a whole bond at s0, J: c G w V s0^2 |xi| V/2 times the thickness. */
 static double at_limit(const Beam *beam, BondPlace bond)
 {
@@ -64,7 +56,10 @@ static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, 
     for (const CrackPath *path = paths; path < paths + n_paths; path++)
         for (size_t k = 0; k + 1 < path->count && !crosses; k++) {
             const double c[2] = {path->x[k], path->y[k]}, d[2] = {path->x[k + 1], path->y[k + 1]};
-            if (is_off(c, d, middle, 1.01 * beam->def.horizon))
+            /* most pieces of a long path are farther off than this by their rectangle */
+            const double reach = 1.01 * beam->def.horizon;
+            if (middle[0] < fmin(c[0], d[0]) - reach || middle[0] > fmax(c[0], d[0]) + reach ||
+                middle[1] < fmin(c[1], d[1]) - reach || middle[1] > fmax(c[1], d[1]) + reach)
                 continue;
             crosses = segments_cross(a, b, c, d);
             nearest = fmin(nearest, distance(middle, c, d));
@@ -74,38 +69,26 @@ static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, 
                                      : &cost->far) += at_limit(beam, bond);
 }
 
-static bool is_whole(const Lattice *lattice, int i, int j)
-{
-    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
-        if (!lattice_has(lattice, i + o->p, j + o->q))
-            return false;
-    return true;
-}
-
-/* What bonds an upright plane through the middle parts from top to bottom, per area. */
-static double whole_plane_energy(const Beam *beam)
-{
-    const Lattice *lattice = &beam->lattice;
-    const int middle = lattice->nx / 2;
-    double sum = 0;
-    for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
-         bond = lattice_next_bond(lattice, bond))
-        if ((bond.i < middle) != (bond.i + lattice->offsets[bond.offset].p < middle))
-            sum += at_limit(beam, bond);
-    return sum / (lattice->ny * lattice->spacing * beam->def.thickness);
-}
-
-/* Through an upright plane go |p| bonds of direction (p, q) in every row: in the middle of the beam, per
- * area. A body that is smaller than a family there has no such row, and is taken as it is. */
+/* What an upright plane through the middle of the beam parts, per area: of direction (p, q) |p| bonds in
+ * every row. A body that is smaller than a family there has no such row, and its bonds are counted from top
+ * to bottom. */
 static double plane_energy(const Beam *beam)
 {
     const Lattice *lattice = &beam->lattice;
+    const int middle = lattice->nx / 2;
+    bool whole = true;
     double sum = 0;
-    if (!is_whole(lattice, lattice->nx / 2, lattice->ny / 2))
-        return whole_plane_energy(beam);
-    for (int o = 0; o < lattice->n_offsets; o++)
-        sum += abs(lattice->offsets[o].p) * at_limit(beam, (BondPlace){lattice->nx / 2, lattice->ny / 2, o});
-    return sum / (lattice->spacing * beam->def.thickness);
+    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
+        whole = whole && lattice_has(lattice, middle + o->p, lattice->ny / 2 + o->q);
+    if (whole)
+        for (int o = 0; o < lattice->n_offsets; o++)
+            sum += abs(lattice->offsets[o].p) * at_limit(beam, (BondPlace){middle, lattice->ny / 2, o});
+    else
+        for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
+             bond = lattice_next_bond(lattice, bond))
+            if ((bond.i < middle) != (bond.i + lattice->offsets[bond.offset].p < middle))
+                sum += at_limit(beam, bond);
+    return sum / ((whole ? 1 : lattice->ny) * lattice->spacing * beam->def.thickness);
 }
 
 /* Each broken bond is held against each piece of the paths; cancel is asked after so many pairs, some

@@ -41,14 +41,6 @@ static void add_end(CrackFronts *fronts, const Beam *beam, const PlateCut *cut, 
     front->sign = front->along[front->axis] > 0 ? 1 : -1;
 }
 
-/* Beyond the end, or so far to a side that the cut itself damaged no bond of it. */
-static bool is_beyond(const Beam *beam, const CrackFront *front, double x, double y)
-{
-    const double along = x * front->along[0] + y * front->along[1],
-                 aside = fabs(x * front->along[1] - y * front->along[0]);
-    return along > 1e-6 * beam->lattice.spacing || aside > beam->def.horizon;
-}
-
 /* Each front grows along the axis along which its cracked nodes reach farther from its end. */
 static void turn_fronts(Growth *growth)
 {
@@ -155,7 +147,11 @@ static int front_of_node(const Growth *growth, uint32_t node)
     if (nearest == FRONT_NONE)
         return FRONT_NONE;
     const CrackFront *front = &growth->fronts->fronts[nearest];
-    return is_beyond(beam, front, x - front->end[0], y - front->end[1]) ? nearest : FRONT_NONE;
+    /* beyond the end, or so far to a side that the cut itself damaged no bond of it */
+    const double dx = x - front->end[0], dy = y - front->end[1];
+    const double along = dx * front->along[0] + dy * front->along[1],
+                 aside = fabs(dx * front->along[1] - dy * front->along[0]);
+    return along > 1e-6 * lattice->spacing || aside > beam->def.horizon ? nearest : FRONT_NONE;
 }
 
 /* For all nodes of a round by what was so before it, so that their order does not matter; those that cracked
@@ -228,31 +224,6 @@ static void deal(Growth *growth)
 
 /* --- how far it has come --------------------------------------------------------------------- */
 
-static void touch_line(Growth *growth, int front, int line)
-{
-    const size_t at = (size_t)front * (size_t)growth->lines + (size_t)line;
-    if (!growth->is_touched[at])
-        growth->touched[growth->n_touched++] = (uint32_t)at;
-    growth->is_touched[at] = 1;
-}
-
-static void take_crack(Growth *growth, const CrackedNode *crack)
-{
-    const Beam *beam = growth->beam;
-    const int f = growth->front_of[crack->node];
-    CrackFront *front = &growth->fronts->fronts[f];
-    const int line = front_line_of(beam, front->axis, crack->node);
-    growth->cracked[crack->node] = NODE_CRACKED;
-    touch_line(growth, f, line);
-    const double advance = front->sign * (front_place(beam, front->axis, line) - front->end[front->axis]);
-    if (advance <= 0)
-        return;
-    if (!front->begun)
-        front->first = crack->step * beam->sim.dt;
-    front->begun = true;
-    front->advance = fmax(front->advance, advance);
-}
-
 /* A line can only have come apart where a node of it has cracked. */
 static void look_for_splits(Growth *growth, int32_t step)
 {
@@ -275,21 +246,30 @@ static void go_through(Growth *growth)
     size_t next = 0;
     memset(growth->cracked, NODE_WHOLE, lattice_nodes(&beam->lattice));
     for (long step = 0; step <= last; step++) {
-        while (next < growth->n_cracks && growth->cracks[next].step <= step)
-            take_crack(growth, &growth->cracks[next++]);
+        for (; next < growth->n_cracks && growth->cracks[next].step <= step; next++) {
+            const CrackedNode *crack = &growth->cracks[next];
+            const int f = growth->front_of[crack->node];
+            CrackFront *front = &fronts->fronts[f];
+            const int line = front_line_of(beam, front->axis, crack->node);
+            const size_t at = (size_t)f * (size_t)growth->lines + (size_t)line;
+            growth->cracked[crack->node] = NODE_CRACKED;
+            if (!growth->is_touched[at])
+                growth->touched[growth->n_touched++] = (uint32_t)at;
+            growth->is_touched[at] = 1;
+            const double advance =
+                front->sign * (front_place(beam, front->axis, line) - front->end[front->axis]);
+            if (advance <= 0)
+                continue;
+            if (!front->begun)
+                front->first = crack->step * beam->sim.dt;
+            front->begun = true;
+            front->advance = fmax(front->advance, advance);
+        }
         if (step % CRACK_FRONT_LOOK == 0)
             look_for_splits(growth, (int32_t)step);
         for (int f = 0; step % every == 0 && f < fronts->count; f++)
             fronts->fronts[f].advances[step / every] = fronts->fronts[f].advance;
     }
-}
-
-static double path_length(const CrackPath *path)
-{
-    double length = 0;
-    for (size_t k = 1; k < path->count; k++)
-        length += math_hypot(path->x[k] - path->x[k - 1], path->y[k] - path->y[k - 1]);
-    return length;
 }
 
 /* --- all together ---------------------------------------------------------------------------- */
@@ -305,27 +285,6 @@ double crack_fronts_speed(const CrackFronts *fronts, const CrackFront *front, si
             return NAN;
     double across[CRACK_FRONT_WINDOW_MAX] = {0};
     return crack_tip_speed(front->advances + (sample - half), across, 2 * half + 1, fronts->every);
-}
-
-static void find_fastest(const CrackFronts *fronts, CrackFront *front)
-{
-    for (size_t k = 0; front->begun && k < fronts->n_samples; k++) {
-        const double speed = crack_fronts_speed(fronts, front, k);
-        if (isfinite(speed) && !(speed <= front->fastest)) {
-            front->fastest = speed;
-            front->fastest_at = (double)k * fronts->every;
-        }
-    }
-}
-
-static double length_of_cuts(const Beam *beam)
-{
-    double length = 0;
-    for (int i = 0; i < beam->def.plate.n_cuts; i++) {
-        const PlateCut *cut = &beam->def.plate.cuts[i];
-        length += math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
-    }
-    return length;
 }
 
 /* Times at which the advance is kept: as many as fit into the window of a speed, at most one a step. */
@@ -357,16 +316,30 @@ static bool work_out(Growth *growth)
         CrackFront *front = &fronts->fronts[f];
         front_find_tips(growth, f);
         front_find_branch(growth, f);
-        find_fastest(fronts, front);
+        for (size_t k = 0; front->begun && k < fronts->n_samples; k++) {
+            const double speed = crack_fronts_speed(fronts, front, k);
+            if (isfinite(speed) && !(speed <= front->fastest)) {
+                front->fastest = speed;
+                front->fastest_at = (double)k * fronts->every;
+            }
+        }
         if (!front_find_lines(growth, f) || !front_find_paths(growth, f))
             return false;
         front->angle = crack_fronts_angle(front, INFINITY);
-        for (int k = 0; k < front->n_paths; k++)
-            fronts->length += path_length(&front->paths[k]);
+        for (const CrackPath *path = front->paths; path < front->paths + front->n_paths; path++) {
+            double length = 0;
+            for (size_t k = 1; k < path->count; k++)
+                length += math_hypot(path->x[k] - path->x[k - 1], path->y[k] - path->y[k - 1]);
+            fronts->length += length;
+        }
     }
-    fronts->surface = beam->facts.notch_bonds > 0 ? (double)beam->head->broken * length_of_cuts(beam) /
-                                                        (double)beam->facts.notch_bonds
-                                                  : NAN;
+    double cut_length = 0;
+    for (const PlateCut *cut = beam->def.plate.cuts; cut < beam->def.plate.cuts + beam->def.plate.n_cuts;
+         cut++)
+        cut_length += math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0);
+    fronts->surface = beam->facts.notch_bonds > 0
+                          ? (double)beam->head->broken * cut_length / (double)beam->facts.notch_bonds
+                          : NAN;
     return true;
 }
 
@@ -386,19 +359,6 @@ static size_t lay_out(Growth *growth, char *block, size_t nodes, size_t lines)
     growth->touched = beam_piece(block, &used, lines * sizeof *growth->touched);
     growth->is_touched = beam_piece(block, &used, lines);
     return used;
-}
-
-static bool measure(CrackFronts *fronts, const Beam *beam)
-{
-    const int nx = beam->lattice.nx, ny = beam->lattice.ny;
-    Growth growth = {.beam = beam, .fronts = fronts, .lines = nx > ny ? nx : ny};
-    const size_t nodes = lattice_nodes(&beam->lattice), lines = (size_t)fronts->count * (size_t)growth.lines;
-    char *block = calloc(1, lay_out(&growth, NULL, nodes, lines));
-    lay_out(&growth, block, nodes, lines);
-    const bool sound = block && work_out(&growth);
-    free(block);
-    free(growth.breaks);
-    return sound;
 }
 
 void crack_fronts_free(CrackFronts *fronts)
@@ -427,7 +387,15 @@ bool crack_fronts_update(CrackFronts *fronts, const Simulation *sim)
         add_end(fronts, beam, cut, from, to);
         add_end(fronts, beam, cut, to, from);
     }
-    if (fronts->count == 0 || !measure(fronts, beam)) {
+    const int nx = beam->lattice.nx, ny = beam->lattice.ny;
+    Growth growth = {.beam = beam, .fronts = fronts, .lines = nx > ny ? nx : ny};
+    const size_t nodes = lattice_nodes(&beam->lattice), lines = (size_t)fronts->count * (size_t)growth.lines;
+    char *block = fronts->count > 0 ? calloc(1, lay_out(&growth, NULL, nodes, lines)) : NULL;
+    lay_out(&growth, block, nodes, lines);
+    const bool sound = block && work_out(&growth);
+    free(block);
+    free(growth.breaks);
+    if (!sound) {
         crack_fronts_free(fronts);
         return false;
     }

@@ -32,27 +32,21 @@ static double *halo_row(const Beam *beam, int band, int component, int row)
            LATTICE_BLOCK;
 }
 
-/* f of the band's own rows and its halo: before its first row is computed, by the thread that computes it. */
-static void clear_band(Beam *beam, int band)
-{
-    int first = beam->band_first[band], rows = beam->band_first[band + 1] - first;
-    size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
-    if (!bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
-        memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)rows * bytes);
-        memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)rows * bytes);
-    }
-    memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.rise * bytes);
-}
-
 /* Adds to f what the bonds give that node row j owns, those to the same row rightwards and to the `reach`
  * rows above: each bond once, its force to both ends. fx[q], fy[q]: where the forces on row j + q go, the row
  * itself or the halo. */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 {
     ASSERT_INDEX(j, beam->lattice.ny);
-    int band = beam->band_of_row[j], end = beam->band_first[band + 1];
-    if (j == beam->band_first[band])
-        clear_band(beam, band);
+    const int band = beam->band_of_row[j], first = beam->band_first[band], end = beam->band_first[band + 1];
+    if (j == first) { /* f of the band's own rows and its halo, by the thread that computes them */
+        const size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
+        if (!bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) {
+            memset(beam->nodes.fx + (size_t)first * stride, 0, (size_t)(end - first) * bytes);
+            memset(beam->nodes.fy + (size_t)first * stride, 0, (size_t)(end - first) * bytes);
+        }
+        memset(halo_row(beam, band, 0, 0) - LATTICE_BLOCK, 0, 2 * (size_t)beam->lattice.rise * bytes);
+    }
     double *fx[LATTICE_REACH_MAX + 1], *fy[LATTICE_REACH_MAX + 1];
     for (int q = 0; q <= beam->lattice.rise; q++) {
         bool inside = j + q < end;

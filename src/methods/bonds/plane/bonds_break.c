@@ -17,33 +17,17 @@
 #include <math.h>
 #include <string.h>
 
-/* Damage of a node is worked out again at the end of the step, once however many of its bonds broke. */
-static void mark_dirty(Beam *beam, size_t node)
-{
-    if (!beam->is_dirty[node]) {
-        beam->is_dirty[node] = 1;
-        beam->dirty[beam->n_dirty++] = (uint32_t)node;
-    }
-}
-
+/* Damage of a bond's ends is worked out again at the end of the step, once however many of their bonds broke.
+ */
 static void mark_ends(Beam *beam, BondPlace place)
 {
     size_t ends[2];
     lattice_ends(&beam->lattice, place, ends);
-    mark_dirty(beam, ends[0]);
-    mark_dirty(beam, ends[1]);
-}
-
-/* The crack starts with a bond whose middle lies within two horizons of the notch's end. */
-static bool is_near_tip(const Beam *beam, BondPlace place)
-{
-    if (beam->def.problem != BEAM_NOTCHED)
-        return false;
-    const Offset *offset = &beam->lattice.offsets[place.offset];
-    double x = lattice_x(&beam->lattice, place.i) + offset->x / 2 - beam->def.notch_position;
-    double y = lattice_y(&beam->lattice, place.j) + offset->y / 2 - beam->def.notch_depth;
-    double limit = 2 * beam->def.horizon * (1 + 1e-9);
-    return x * x + y * y <= limit * limit;
+    for (int end = 0; end < 2; end++) {
+        if (!beam->is_dirty[ends[end]])
+            beam->dirty[beam->n_dirty++] = (uint32_t)ends[end];
+        beam->is_dirty[ends[end]] = 1;
+    }
 }
 
 double beam_energy_at(const Beam *beam, BondPlace place, double squared)
@@ -78,7 +62,13 @@ bool beam_take_log(Beam *beam, BondLog *log, long step)
         beam->broken_at[log->breaks[k]] = (int32_t)(step + 1);
         beam->head->broken++;
         beam->head->dissipated += break_cost(beam, place, step);
-        beam->head->near_tip += is_near_tip(beam, place);
+        if (beam->def.problem == BEAM_NOTCHED) { /* its crack starts within two horizons of the notch's end */
+            const Offset *offset = &beam->lattice.offsets[place.offset];
+            const double x = lattice_x(&beam->lattice, place.i) + offset->x / 2 - beam->def.notch_position;
+            const double y = lattice_y(&beam->lattice, place.j) + offset->y / 2 - beam->def.notch_depth;
+            const double limit = 2 * beam->def.horizon * (1 + 1e-9);
+            beam->head->near_tip += x * x + y * y <= limit * limit;
+        }
         mark_ends(beam, place);
     }
     log->n_breaks = 0;
@@ -142,31 +132,26 @@ static void report_crack(Beam *beam, long step)
     }
 }
 
-/* The damage of marked nodes, and what follows from it; by the damage stage alone. */
-static void update_dirty(Beam *beam, long step)
+/* The damage stage of a step: the damage of marked nodes, and what follows from it; `step` counts the one
+ * that ends. The tip is noted every few steps whether or not anything broke, for its speed is a slope over
+ * time. */
+void beam_update_damage(Beam *beam, long step)
 {
+    ASSERT_INT(step, >=, 0);
+    const bool notched = beam->def.problem == BEAM_NOTCHED, any = beam->n_dirty > 0;
     for (size_t k = 0; k < beam->n_dirty; k++) {
-        size_t node = beam->dirty[k];
+        const size_t node = beam->dirty[k];
         beam->damage[node] = node_damage(beam, node, step);
         beam->is_dirty[node] = 0;
     }
     beam->n_dirty = 0;
-    if (beam->def.problem == BEAM_NOTCHED)
+    if (any && notched)
         report_crack(beam, step);
-    else if (beam->head->first_break < 0 && beam->head->broken > 0) {
+    else if (any && beam->head->first_break < 0 && beam->head->broken > 0) {
         beam->head->first_break = step;
         beam_report(beam, EVENT_BREAK, step, "first bond broke");
     }
-}
-
-/* The damage stage of a step; `step` counts the one that ends. The tip is noted every few steps whether or
- * not anything broke, for its speed is a slope over time. */
-void beam_update_damage(Beam *beam, long step)
-{
-    ASSERT_INT(step, >=, 0);
-    if (beam->n_dirty > 0)
-        update_dirty(beam, step);
-    if (beam->def.problem == BEAM_NOTCHED)
+    if (notched)
         crack_note_tip(beam, step);
 }
 
@@ -201,17 +186,12 @@ bool beam_holds(const Beam *beam, double x, double y)
     return x > spacing && x < beam->def.length - spacing && y > spacing && y < beam->def.height - spacing;
 }
 
-static bool has_fronts(const Beam *beam)
-{
-    bool any = false;
-    for (int i = 0; beam->def.problem == BEAM_PLATE && i < beam->def.plate.n_cuts; i++) {
-        const PlateCut *cut = &beam->def.plate.cuts[i];
-        any = any || beam_holds(beam, cut->x0, cut->y0) || beam_holds(beam, cut->x1, cut->y1);
-    }
-    return any;
-}
-
 void beam_set_breaking(Beam *beam)
 {
-    beam->sim.has |= HAS_BREAKING | (has_fronts(beam) ? HAS_FRONTS : 0u);
+    bool fronts = false;
+    for (int i = 0; beam->def.problem == BEAM_PLATE && i < beam->def.plate.n_cuts; i++) {
+        const PlateCut *cut = &beam->def.plate.cuts[i];
+        fronts = fronts || beam_holds(beam, cut->x0, cut->y0) || beam_holds(beam, cut->x1, cut->y1);
+    }
+    beam->sim.has |= HAS_BREAKING | (fronts ? HAS_FRONTS : 0u);
 }

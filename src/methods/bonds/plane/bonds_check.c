@@ -12,27 +12,6 @@
 
 /* Is what a plate has sound? */
 
-/* The cut parts something, for a bond that crosses its line is at least a spacing long. */
-static bool check_cuts(const PlateDef *plate, const Lattice *lattice, Status *status)
-{
-    for (const PlateCut *cut = plate->cuts; cut < plate->cuts + plate->n_cuts; cut++)
-        if (!(math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0) > 1e-6 * lattice->spacing))
-            return status_refuse(status, "cuts.%s: has no length (two places: X0 Y0 X1 Y1)", cut->name);
-    return true;
-}
-
-static bool check_loads(const PlateDef *plate, const Lattice *lattice, Status *status)
-{
-    for (const PlateLoad *load = plate->loads; load < plate->loads + plate->n_loads; load++) {
-        const Patch patch = patch_of_edge(lattice, load->edge, load->from, load->to);
-        if (patch_is_empty(&patch))
-            return status_refuse(
-                status, "loads.%s: holds no node of the edge (a stretch of at least pd.spacing = %g)",
-                load->name, lattice->spacing);
-    }
-    return true;
-}
-
 static bool check_regions(const PlateRegion *regions, int count, const char *section, bool inside,
                           const Lattice *lattice, Status *status)
 {
@@ -69,8 +48,28 @@ static bool disagree(bool a_gives, double a, bool b_gives, double b)
     return a_gives && b_gives && (a != 0 || b != 0);
 }
 
-static bool check_overlaps(const PlateDef *plate, const Lattice *lattice, Status *status)
+/* Do all rows hold nodes of this lattice, move no node in two ways, and none faster than waves, m/s? Else the
+ * status names the row, what is wrong, what is allowed. Of the lattice its measures alone are read. */
+static bool plate_check(const PlateDef *plate, const Lattice *lattice, double wave_speed, Status *status)
 {
+    /* the cut parts something, for a bond that crosses its line is at least a spacing long */
+    for (const PlateCut *cut = plate->cuts; cut < plate->cuts + plate->n_cuts; cut++)
+        if (!(math_hypot(cut->x1 - cut->x0, cut->y1 - cut->y0) > 1e-6 * lattice->spacing))
+            return status_refuse(status, "cuts.%s: has no length (two places: X0 Y0 X1 Y1)", cut->name);
+    for (const PlateLoad *load = plate->loads; load < plate->loads + plate->n_loads; load++) {
+        const Patch patch = patch_of_edge(lattice, load->edge, load->from, load->to);
+        if (patch_is_empty(&patch))
+            return status_refuse(
+                status, "loads.%s: holds no node of the edge (a stretch of at least pd.spacing = %g)",
+                load->name, lattice->spacing);
+    }
+    if (!check_regions(plate->supports, plate->n_supports, "supports", false, lattice, status) ||
+        !check_regions(plate->impulses, plate->n_impulses, "impulses", false, lattice, status) ||
+        !check_regions(plate->unbreakable, plate->n_unbreakable, "protected", true, lattice, status) ||
+        !check_speeds(plate->supports, plate->n_supports, "supports", lattice, false, wave_speed, status) ||
+        !check_speeds(plate->impulses, plate->n_impulses, "impulses", lattice, plate->n_supports == 0,
+                      wave_speed, status))
+        return false;
     for (const PlateRegion *b = plate->supports; b < plate->supports + plate->n_supports; b++)
         for (const PlateRegion *a = plate->supports; a < b; a++) {
             const Patch one = patch_of(lattice, a, false), other = patch_of(lattice, b, false);
@@ -83,23 +82,15 @@ static bool check_overlaps(const PlateDef *plate, const Lattice *lattice, Status
     return true;
 }
 
-/* Do all rows hold nodes of this lattice, move no node in two ways, and none faster than waves, m/s? Else the
- * status names the row, what is wrong, what is allowed. Of the lattice its measures alone are read. */
-static bool plate_check(const PlateDef *plate, const Lattice *lattice, double wave_speed, Status *status)
-{
-    return check_cuts(plate, lattice, status) && check_loads(plate, lattice, status) &&
-           check_regions(plate->supports, plate->n_supports, "supports", false, lattice, status) &&
-           check_regions(plate->impulses, plate->n_impulses, "impulses", false, lattice, status) &&
-           check_regions(plate->unbreakable, plate->n_unbreakable, "protected", true, lattice, status) &&
-           check_speeds(plate->supports, plate->n_supports, "supports", lattice, false, wave_speed, status) &&
-           check_speeds(plate->impulses, plate->n_impulses, "impulses", lattice, plate->n_supports == 0,
-                        wave_speed, status) &&
-           check_overlaps(plate, lattice, status);
-}
-
 static bool check_lattice(const BeamDef *def, Status *status)
 {
-    const double ratio = def->horizon / def->spacing;
+    enum { NODES_MAX = 2000000 };
+    const double ratio = def->horizon / def->spacing, nodes = def->length / def->spacing;
+    const bool whole = fabs(nodes - round(nodes)) <= 1e-6 * fmax(1, nodes);
+    if (def->problem == BEAM_BAR && !(whole && nodes >= 0.5 && nodes <= NODES_MAX))
+        return status_refuse(status,
+                             "pd.spacing: the length %g is %g spacings of %g (a whole number, at most %d)",
+                             def->length, nodes, def->spacing, NODES_MAX);
     const int most = def->problem == BEAM_BAR ? LATTICE_LINE_REACH_MAX : LATTICE_REACH_MAX;
     if (ratio < 1 - 1e-9)
         return status_refuse(status, "pd.horizon: %g is below the spacing (at least pd.spacing = %g)",
@@ -117,16 +108,6 @@ static bool check_lattice(const BeamDef *def, Status *status)
         return status_refuse(status, "pd.critical_stretch: %g is not allowed (0 to below 0.5)",
                              def->critical_stretch);
     return true;
-}
-
-static bool check_nodes_of_bar(const BeamDef *def, Status *status)
-{
-    enum { NODES_MAX = 2000000 };
-    const double nodes = def->length / def->spacing;
-    return (fabs(nodes - round(nodes)) <= 1e-6 * fmax(1, nodes) && nodes >= 0.5 && nodes <= NODES_MAX) ||
-           status_refuse(status,
-                         "pd.spacing: the length %g is %g spacings of %g (a whole number, at most %d)",
-                         def->length, nodes, def->spacing, NODES_MAX);
 }
 
 static bool check_bar(const BeamDef *def, Status *status)
@@ -193,14 +174,6 @@ const char *beam_stepping_name(int stepping)
     return stepping > 0 && stepping <= STEPPING_LEAPFROG_AHEAD ? names[stepping] : NULL;
 }
 
-/* Damping is defined by two half kicks (bonds_damping.c). */
-static bool check_stepping(const BeamDef *def, Status *status)
-{
-    return def->stepping == STEPPING_VERLET || (def->damping == 0 && !def->critically_damped) ||
-           status_refuse(status, "pd.stepping: %s is defined without damping only (damping.rate = 0)",
-                         beam_stepping_name((int)def->stepping));
-}
-
 bool beam_check(const BeamDef *def, Status *status)
 {
     static bool (*const of_problem[])(const BeamDef *, Status *) = {
@@ -211,8 +184,13 @@ bool beam_check(const BeamDef *def, Status *status)
         [BEAM_BAR] = check_bar,
     };
     Lattice measured;
-    return (def->problem != BEAM_BAR || check_nodes_of_bar(def, status)) && check_lattice(def, status) &&
-           check_stepping(def, status) && bonds_check_mistake(def, status) &&
+    if (!check_lattice(def, status))
+        return false;
+    /* damping is defined by two half kicks (bonds_damping.c) */
+    if (def->stepping != STEPPING_VERLET && (def->damping != 0 || def->critically_damped))
+        return status_refuse(status, "pd.stepping: %s is defined without damping only (damping.rate = 0)",
+                             beam_stepping_name((int)def->stepping));
+    return bonds_check_mistake(def, status) &&
            (!of_problem[def->problem] || of_problem[def->problem](def, status)) &&
            (def->dt == 0 || beam_check_damping(def->damping, def->dt, status)) &&
            lattice_measure(&measured, def, status) &&

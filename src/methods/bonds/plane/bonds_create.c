@@ -210,23 +210,19 @@ static const Method beam_method = {
     .change = beam_change,
 };
 
-/* What is wrong in two places. */
-static bool join_mistakes(Beam *beam, Status *status)
-{
-    const BeamDef *def = &beam->def;
-    beam->both = def->mistake_beside ? calloc(1, sizeof *beam->both) : NULL;
-    return !def->mistake_beside ||
-           (beam->both && bonds_mistakes_join(def->mistake, def->mistake_beside, beam->both)) ||
-           status_fail(status, "not enough memory");
-}
-
 /* In this order, for each part needs those before it: sizes, lattice, memory, bonds, what is held and loaded,
  * time step, start. The critical step is found with u = 0 and nothing held, so before the initial motion is
  * set; the first force comes last, when what is held already stands where it should. */
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
-    if (!join_mistakes(beam, status) || !lattice_init(&beam->lattice, &beam->def, status) ||
-        !allocate(beam, status) || !beam_set_bonds(beam, status))
+    const BeamDef *def = &beam->def;
+    if (def->mistake_beside) { /* what is wrong in two places */
+        beam->both = calloc(1, sizeof *beam->both);
+        if (!beam->both || !bonds_mistakes_join(def->mistake, def->mistake_beside, beam->both))
+            return status_fail(status, "not enough memory");
+    }
+    if (!lattice_init(&beam->lattice, &beam->def, status) || !allocate(beam, status) ||
+        !beam_set_bonds(beam, status))
         return false;
     if (!beam_set_problem(beam, status) || !set_time_step(beam, status) || !beam_set_damping(beam, status))
         return false;
@@ -240,8 +236,8 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
     beam->facts.nx = lattice_wide(lattice);
     beam->facts.ny = lattice->ny;
     beam->facts.real_height = lattice->ny * lattice->spacing;
-    if (beam->def.problem == BEAM_MOVING_CANTILEVER)
-        beam->facts.real_span = beam->def.length;
+    if (def->problem == BEAM_MOVING_CANTILEVER)
+        beam->facts.real_span = def->length;
     beam->facts.family = 2 * (size_t)lattice->n_offsets;
     beam->facts.bonds = lattice_bonds(lattice);
     if (lattice->line)

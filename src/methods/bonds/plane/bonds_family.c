@@ -34,41 +34,37 @@ size_t beam_family_of(const Beam *beam, size_t node, BondPlace *out)
     return beam_family(beam, lattice_column(lattice, node), lattice_row(lattice, node), out);
 }
 
-/* A bond as its owner sees it, or its other end. */
-static Link link_from(const Beam *beam, BondPlace place, bool own)
-{
-    const Lattice *lattice = &beam->lattice;
-    const Offset *offset = &lattice->offsets[place.offset];
-    const BondNow bond = beam_bond(beam, place);
-    const size_t slot = lattice_slot(lattice, place);
-    const int i = own ? place.i + offset->p : place.i, j = own ? place.j + offset->q : place.j;
-    const bool broken = beam_bit(beam->broken, slot);
-    const double way = own ? 1 : -1;
-    return (Link){.set = SET_PARTICLE,
-                  .index = lattice_node(lattice, i, j),
-                  .mirrored = lattice_is_image(lattice, i),
-                  .stretch = bond.stretch,
-                  .stiffness = bond.stiffness * bond.share[own ? 0 : 1],
-                  .broken = broken,
-                  .broken_at = broken ? beam->broken_at[slot] : 0,
-                  .apart = {way * offset->x, way * offset->y},
-                  .direction = {way * bond.direction[0], way * bond.direction[1]},
-                  .factors = {lattice->micromodulus * offset->influence, lattice_correction(lattice, place),
-                              offset->weight, beam_volume(beam)}};
-}
-
-/* The family of a node. */
+/* The family of a node: each bond as its owner sees it, or its other end. */
 size_t beam_links(const Simulation *sim, int set, size_t index, Link *out, size_t max)
 {
     ASSERT_INT(set, ==, SET_PARTICLE);
     ASSERT_INDEX(index, sim->counts[set]);
     const Beam *beam = (const Beam *)sim;
-    const int i = lattice_column(&beam->lattice, index), j = lattice_row(&beam->lattice, index);
+    const Lattice *lattice = &beam->lattice;
+    const int i = lattice_column(lattice, index), j = lattice_row(lattice, index);
     BondPlace family[FAMILY_MAX];
     size_t n = beam_family(beam, i, j, family);
     n = n < max ? n : max;
-    for (size_t k = 0; k < n; k++)
-        out[k] = link_from(beam, family[k], family[k].i == i && family[k].j == j);
+    for (size_t k = 0; k < n; k++) {
+        const BondPlace place = family[k];
+        const Offset *offset = &lattice->offsets[place.offset];
+        const BondNow bond = beam_bond(beam, place);
+        const size_t slot = lattice_slot(lattice, place);
+        const bool own = place.i == i && place.j == j, broken = beam_bit(beam->broken, slot);
+        const int other_i = own ? i + offset->p : place.i, other_j = own ? j + offset->q : place.j;
+        const double way = own ? 1 : -1;
+        out[k] = (Link){.set = SET_PARTICLE,
+                        .index = lattice_node(lattice, other_i, other_j),
+                        .mirrored = lattice_is_image(lattice, other_i),
+                        .stretch = bond.stretch,
+                        .stiffness = bond.stiffness * bond.share[own ? 0 : 1],
+                        .broken = broken,
+                        .broken_at = broken ? beam->broken_at[slot] : 0,
+                        .apart = {way * offset->x, way * offset->y},
+                        .direction = {way * bond.direction[0], way * bond.direction[1]},
+                        .factors = {lattice->micromodulus * offset->influence,
+                                    lattice_correction(lattice, place), offset->weight, beam_volume(beam)}};
+    }
     return n;
 }
 

@@ -188,19 +188,6 @@ static const double *array_of(const Beam *beam, int field)
     return arrays[field];
 }
 
-/* Views read these of all nodes in every frame: row by row. */
-static void copy_array(const Beam *beam, const double *array, size_t first, size_t count, double *out)
-{
-    const size_t wide = (size_t)lattice_wide(&beam->lattice);
-    for (size_t node = first, part; node < first + count; node += part) {
-        const size_t beside = wide - node % wide, left = first + count - node;
-        const int i = lattice_column(&beam->lattice, node);
-        part = beside < left ? beside : left;
-        memcpy(out + (node - first), array + lattice_at(&beam->lattice, i, (int)(node / wide)),
-               part * sizeof *out);
-    }
-}
-
 static const double no_stretch = -1; /* what no whole bond has */
 
 /* What `count` bonds side by side give to each of their ends; c: c G w V, 0 of a broken one. */
@@ -395,10 +382,18 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
         family_field(beam, field, first, count, out);
         return;
     }
-    if (array_of(beam, field)) {
-        copy_array(beam, array_of(beam, field), first, count, out);
-        return;
+    const double *array = array_of(beam, field);
+    const size_t wide = (size_t)lattice_wide(&beam->lattice);
+    for (size_t node = first, part; array && node < first + count; node += part) {
+        /* views read these of all nodes in every frame: row by row */
+        const size_t beside = wide - node % wide, left = first + count - node;
+        const int i = lattice_column(&beam->lattice, node);
+        part = beside < left ? beside : left;
+        memcpy(out + (node - first), array + lattice_at(&beam->lattice, i, (int)(node / wide)),
+               part * sizeof *out);
     }
+    if (array)
+        return;
     if (field == F_DAMAGE) {
         memcpy(out, beam->damage + first, count * sizeof *out);
         return;

@@ -29,16 +29,6 @@ static size_t unknown(const Lattice *lattice, int i, int j, int component)
     return 2 * ((size_t)i * (size_t)lattice->ny + (size_t)j) + (size_t)component;
 }
 
-/* The largest distance of two unknowns that a bond couples: about 2 ny delta/dx, so a beam, long and low,
- * makes a narrow band. The factor takes n B^2 products and n (B + 1) doubles. */
-static size_t half_width(const Lattice *lattice)
-{
-    int most = 0;
-    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
-        most = abs(o->p * lattice->ny + o->q) > most ? abs(o->p * lattice->ny + o->q) : most;
-    return 2 * (size_t)most + 1;
-}
-
 /* The band keeps the lower half only. */
 static void add(Cholesky *stiffness, size_t row, size_t column, double value)
 {
@@ -150,7 +140,12 @@ static void hold(const Model *model, bool *held)
 static bool solve(const Model *model, const Beam *probed, BeamLinear *out, Status *status)
 {
     const Lattice *lattice = model->lattice;
-    Cholesky band = {.size = 2 * lattice_nodes(lattice), .width = half_width(lattice)};
+    /* the largest distance of two unknowns that a bond couples: about 2 ny delta/dx, so a beam, long and low,
+     * makes a narrow band. The factor takes n B^2 products and n (B + 1) doubles. */
+    int most = 0;
+    for (const Offset *o = lattice->offsets; o < lattice->offsets + lattice->n_offsets; o++)
+        most = abs(o->p * lattice->ny + o->q) > most ? abs(o->p * lattice->ny + o->q) : most;
+    Cholesky band = {.size = 2 * lattice_nodes(lattice), .width = 2 * (size_t)most + 1};
     *out = (BeamLinear){NAN, NAN};
     if ((double)band.size * (double)(band.width + 1) > BEAM_MODES_NUMBERS_MAX)
         return true;

@@ -27,15 +27,6 @@ static void set_cuts(Beam *beam)
     }
 }
 
-/* By whichever cut: a bond is cut once. */
-static bool is_cut(const Beam *beam, BondPlace bond)
-{
-    for (int k = 0; k < beam->n_cuts; k++)
-        if (plate_cut_parts(&beam->cuts[k], &beam->lattice, bond))
-            return true;
-    return false;
-}
-
 /* Every bond of the lattice gets its coefficient c G w V (eq. 8), N/m^3 per unit stretch, a cut one 0 and its
  * bit: the notch's bonds are broken from the start, and distinguished from those that break in the run.
  * False: interrupted. */
@@ -51,7 +42,10 @@ bool beam_set_bonds(Beam *beam, Status *status)
         if (number % LATTICE_BONDS_A_QUESTION == 0 && !beam_go_on(beam, share, status))
             return false;
         size_t slot = lattice_slot(lattice, bond);
-        if (is_cut(beam, bond)) {
+        bool is_cut = false; /* by whichever cut: a bond is cut once */
+        for (int k = 0; k < beam->n_cuts; k++)
+            is_cut = is_cut || plate_cut_parts(&beam->cuts[k], lattice, bond);
+        if (is_cut) {
             uint8_t bit = (uint8_t)(1u << slot % 8);
             beam->notched[slot / 8] |= bit;
             beam->broken[slot / 8] |= bit;
@@ -91,17 +85,6 @@ void beam_simple_supports(const Lattice *lattice, Support supports[2])
     supports[1] = (Support){{lattice->nx - 1, j, 1, 1}, false, true, 0, 0};
 }
 
-/* The span between the supports is (nx - 1) dx, not the beam's length: the period goes as its square. */
-static void set_simple_supports(Beam *beam)
-{
-    beam_simple_supports(&beam->lattice, beam->supports);
-    for (int end = 0; end < 2 && bonds_does(beam, BONDS_WRONG_HOLDS_EDGES); end++)
-        beam->supports[end].patch = (Patch){end * (beam->lattice.nx - 1), 0, 1, beam->lattice.ny};
-    beam->supports[1].x = bonds_does(beam, BONDS_WRONG_HOLDS_BOTH);
-    beam->n_supports = 2;
-    beam->facts.real_span = (beam->lattice.nx - 1) * beam->lattice.spacing;
-}
-
 /* Columns with X + v0 t < -1e-6 dx are inside the channel at time t and held. A column often comes to the
  * channel's end exactly at a step; the tolerance then says that it is free, where rounding would decide
  * otherwise. By bisection: X grows with the column. */
@@ -122,35 +105,30 @@ int beam_held_columns(const Beam *beam, double time)
     return low;
 }
 
-/* Nodes of the bottom row within half a spacing of the support: two where it lies between two. */
-static bool set_bottom_supports(Beam *beam, Status *status)
+/* Held are nodes of the bottom row within half a spacing of a support, two where it lies between two; loaded
+ * the nodes of the top row with |X - x_load| <= width/2. */
+static bool hold_and_load_notched(Beam *beam, Status *status)
 {
     const Lattice *lattice = &beam->lattice;
-    const double at[2] = {beam->def.support_left, beam->def.support_right};
+    const BeamDef *def = &beam->def;
+    const double at[2] = {def->support_left, def->support_right}, half = lattice->spacing / 2;
     double middle[2];
-    const double half = lattice->spacing / 2;
     for (int end = 0; end < 2; end++) {
         const Patch patch = patch_of_edge(lattice, PLATE_BOTTOM, at[end] - half, at[end] + half);
         if (patch_is_empty(&patch))
             return status_refuse(status, "supports.%s: no node lies at %g", end ? "right" : "left", at[end]);
-        beam->supports[beam->n_supports++] = (Support){patch, beam->def.pinned && end == 0, true, 0, 0};
+        beam->supports[beam->n_supports++] = (Support){patch, def->pinned && end == 0, true, 0, 0};
         middle[end] = (lattice_x(lattice, patch.i) + lattice_x(lattice, patch.i + patch.columns - 1)) / 2;
     }
     beam->facts.real_span = middle[1] - middle[0];
-    return true;
-}
-
-/* Loaded are the nodes of the top row with |X - x_load| <= width/2. */
-static bool set_load(Beam *beam, Status *status)
-{
-    const Lattice *lattice = &beam->lattice;
-    const double reach = beam->def.load_width / 2, at = beam->def.load_position;
-    const Patch patch = patch_of_edge(lattice, PLATE_TOP, at - reach, at + reach);
-    beam->loads[beam->n_loads++] = (Load){patch, 0, -1, beam->def.load_ramp, INFINITY};
-    if (patch_is_empty(&patch))
+    const double reach = def->load_width / 2;
+    const Patch top =
+        patch_of_edge(lattice, PLATE_TOP, def->load_position - reach, def->load_position + reach);
+    beam->loads[beam->n_loads++] = (Load){top, 0, -1, def->load_ramp, INFINITY};
+    if (patch_is_empty(&top))
         return status_refuse(status,
                              "load.width: %g at %g holds no node of the top row (at least pd.spacing = %g)",
-                             beam->def.load_width, beam->def.load_position, lattice->spacing);
+                             def->load_width, def->load_position, lattice->spacing);
     return true;
 }
 
@@ -239,11 +217,19 @@ bool beam_set_problem(Beam *beam, Status *status)
     }
     if (beam->free_body)
         return true;
-    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED)
-        set_simple_supports(beam);
-    if (beam->def.problem != BEAM_NOTCHED)
-        return true;
-    return protect(beam, status) && set_bottom_supports(beam, status) && set_load(beam, status);
+    if (beam->def.problem == BEAM_NOTCHED)
+        return protect(beam, status) && hold_and_load_notched(beam, status);
+    if (beam->def.problem == BEAM_SIMPLY_SUPPORTED) {
+        beam_simple_supports(lattice, beam->supports);
+        for (int end = 0; end < 2 && bonds_does(beam, BONDS_WRONG_HOLDS_EDGES); end++)
+            beam->supports[end].patch = (Patch){end * (nx - 1), 0, 1, ny};
+        beam->supports[1].x = bonds_does(beam, BONDS_WRONG_HOLDS_BOTH);
+        beam->n_supports = 2;
+        /* the span between the supports is (nx - 1) dx, not the beam's length: the period goes as its square
+         */
+        beam->facts.real_span = (nx - 1) * lattice->spacing;
+    }
+    return true;
 }
 
 /* Eqs. 15, 16, m: u_y = U sin(k x), u_x = -y du_y/dx, k = pi/L; x from the beam's left end, y from its

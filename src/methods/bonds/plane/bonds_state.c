@@ -14,21 +14,6 @@ size_t beam_state_size(const Simulation *sim)
     return ((const Beam *)sim)->state_size;
 }
 
-/* Coefficients follow the bits: a bond whose bit differs is broken or made whole again. */
-static void follow_bits(Beam *beam, const uint8_t *bits)
-{
-    for (size_t byte = 0; byte < lattice_slots(&beam->lattice) / 8; byte++) {
-        unsigned differ = beam->broken[byte] ^ bits[byte];
-        for (size_t bit = 0; differ >> bit != 0; bit++)
-            if (differ >> bit & 1) {
-                size_t slot = 8 * byte + bit;
-                BondPlace place = lattice_slot_place(&beam->lattice, slot);
-                beam->coefficient[slot] =
-                    beam_bit(bits, slot) ? 0 : lattice_coefficient(&beam->lattice, place);
-            }
-    }
-}
-
 /* Bonds that could break once in a run may have done so: that stays true of it. */
 static void set_breaking(Beam *beam)
 {
@@ -43,7 +28,19 @@ void beam_load(Simulation *sim, const void *bytes)
 {
     Beam *beam = (Beam *)sim;
     size_t head = (size_t)((char *)beam->broken - (char *)beam->state);
-    follow_bits(beam, (const uint8_t *)bytes + head);
+    /* coefficients follow the bits: a bond whose bit differs is broken or made whole again */
+    const uint8_t *bits = (const uint8_t *)bytes + head;
+    for (size_t byte = 0; byte < lattice_slots(&beam->lattice) / 8; byte++) {
+        const unsigned differ = beam->broken[byte] ^ bits[byte];
+        for (size_t bit = 0; differ >> bit != 0; bit++) {
+            const size_t slot = 8 * byte + bit;
+            if (differ >> bit & 1)
+                beam->coefficient[slot] =
+                    beam_bit(bits, slot)
+                        ? 0
+                        : lattice_coefficient(&beam->lattice, lattice_slot_place(&beam->lattice, slot));
+        }
+    }
     memcpy(beam->state, bytes, beam->state_size);
     set_breaking(beam);
     sim->at_rest = beam->head->rested;
@@ -105,17 +102,6 @@ static bool change_mistake(Beam *beam, double value, Status *status)
     return true;
 }
 
-/* The forces of the displacements as they are: the half kick that comes takes those of the new load. */
-static void find_forces(Beam *beam)
-{
-    beam_bond_forces(beam, false);
-    for (int j = 0; j < beam->lattice.ny; j++) {
-        beam_add_halos(beam, j);
-        beam_weigh(beam, j);
-        beam_add_loads(beam, j, simulation_time(&beam->sim));
-    }
-}
-
 bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
     ASSERT_INT(sim->stage, ==, 0);
@@ -140,9 +126,17 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         beam->head->kinetic_left = sim->kinetic_left = beam->def.to_rest ? 1 : 0;
         beam->head->rested = sim->at_rest = false;
         beam_set_stages(beam);
-        if (beam->lattice.line &&
-            !bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
-            find_forces(beam);
+        if (!beam->lattice.line ||
+            bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
+            return true;
+        /* the forces of the displacements as they are: the half kick that comes takes those of the new load
+         */
+        beam_bond_forces(beam, false);
+        for (int j = 0; j < beam->lattice.ny; j++) {
+            beam_add_halos(beam, j);
+            beam_weigh(beam, j);
+            beam_add_loads(beam, j, simulation_time(sim));
+        }
         return true;
     }
     return status_refuse(status, "%s: cannot change in mid-run (see: matvib params, marked live)", key);

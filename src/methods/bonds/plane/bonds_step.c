@@ -60,19 +60,6 @@ static void constrain_velocity(Beam *beam, int j, double time)
     }
 }
 
-/* u in the channel, (v0 t, 0) in the laboratory's frame; at supports it follows from their velocity. */
-static void constrain_displacement(Beam *beam, int j, double time)
-{
-    const NodeArrays *nodes = &beam->nodes;
-    size_t row = lattice_at(&beam->lattice, 0, j);
-    size_t held = (size_t)beam_held_columns(beam, time);
-    for (size_t i = row; i < row + held; i++) {
-        nodes->uy[i] = 0;
-        if (beam->def.clamp == CLAMP_FULL)
-            nodes->ux[i] = beam->def.speed * time;
-    }
-}
-
 /* y += factor x of row j in both directions; x, y: the first of two arrays, one behind the other. */
 static void add_to(Beam *beam, int j, double *y, const double *x, double factor)
 {
@@ -111,8 +98,15 @@ static void drift(Beam *beam, int j, long step)
  * them. */
 static void constraints(Beam *beam, int j, long step)
 {
-    double time = (double)(step + 1) * beam->sim.dt;
-    constrain_displacement(beam, j, time);
+    const NodeArrays *nodes = &beam->nodes;
+    const double time = (double)(step + 1) * beam->sim.dt;
+    const size_t row = lattice_at(&beam->lattice, 0, j), held = (size_t)beam_held_columns(beam, time);
+    /* u in the channel, (v0 t, 0) in the laboratory's frame; at supports it follows from their velocity */
+    for (size_t i = row; i < row + held; i++) {
+        nodes->uy[i] = 0;
+        if (beam->def.clamp == CLAMP_FULL)
+            nodes->ux[i] = beam->def.speed * time;
+    }
     bonds_line_mirror(beam);
     constrain_velocity(beam, j, time);
 }

@@ -146,22 +146,6 @@ KERNEL_INLINE bool by_series(const Segment *segment, bool with_forces, bool with
     return vector_is_zero(beyond);
 }
 
-/* One bond with the root: xi + eta, d, s = d / (|xi| (|xi + eta| + |xi|)) and |xi + eta|. */
-typedef struct Bond {
-    double rx, ry, d, stretch, length;
-} Bond;
-
-static Bond bond_at(const Segment *segment, size_t i)
-{
-    const Offset *direction = segment->direction;
-    double ex = segment->vx[i] - segment->ux[i], ey = segment->vy[i] - segment->uy[i];
-    Bond bond = {.rx = direction->x + ex, .ry = direction->y + ey};
-    bond.d = ex * (direction->x + bond.rx) + ey * (direction->y + bond.ry);
-    bond.length = sqrt(bond.rx * bond.rx + bond.ry * bond.ry);
-    bond.stretch = bond.d / (direction->length * (bond.length + direction->length));
-    return bond;
-}
-
 /* Notes a bond that broke, in the band's own list. Without memory for a longer one the step fails afterwards
  * (no_memory). */
 static void log_break(BondLog *log, size_t slot)
@@ -199,9 +183,14 @@ static bool block_by_root(const BondSystem *system, const Segment *segment, size
         fx[i] = fy[i] = 0;
         if (segment->coefficient[i] == 0)
             continue;
-        Bond bond = bond_at(segment, i);
+        /* xi + eta, d, |xi + eta| and s = d/(|xi| (|xi + eta| + |xi|)) */
+        const double ex = segment->vx[i] - segment->ux[i], ey = segment->vy[i] - segment->uy[i];
+        const double rx = direction->x + ex, ry = direction->y + ey;
+        const double d = ex * (direction->x + rx) + ey * (direction->y + ry);
+        const double length = sqrt(rx * rx + ry * ry);
+        const double stretch = d / (direction->length * (length + direction->length));
         BondPlace place = {segment->first.i + (int)i, segment->first.j, segment->first.offset};
-        if (bond.d >= segment->break_limit && isfinite(bond.d) && may_break(system, place)) {
+        if (d >= segment->break_limit && isfinite(d) && may_break(system, place)) {
             size_t slot = lattice_slot(system->lattice, place);
             segment->coefficient[i] = 0;
             system->broken[slot / 8] = (uint8_t)(system->broken[slot / 8] | 1u << slot % 8);
@@ -209,13 +198,13 @@ static bool block_by_root(const BondSystem *system, const Segment *segment, size
             broke = true;
             continue;
         }
-        if (!(bond.d < 3 * direction->squared && bond.d > -0.99 * direction->squared) && !log->unstable) {
+        if (!(d < 3 * direction->squared && d > -0.99 * direction->squared) && !log->unstable) {
             log->unstable = true;
             log->unstable_slot = lattice_slot(system->lattice, place);
         }
-        double g = segment->coefficient[i] * bond.stretch / bond.length;
-        fx[i] = g * bond.rx;
-        fy[i] = g * bond.ry;
+        double g = segment->coefficient[i] * stretch / length;
+        fx[i] = g * rx;
+        fy[i] = g * ry;
     }
     return broke;
 }

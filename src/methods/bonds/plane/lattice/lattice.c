@@ -60,42 +60,39 @@ static double reach_of(const BeamDef *def)
     return volume_reach(def->volume_correction, def->horizon, def->spacing);
 }
 
-/* One direction of bonds, (p, q) spacings: length, volume factor and the coefficients of the series by which
- * the kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed
- * length is e times a power series in e; what is stored is in powers of d = e |xi|^2 itself and over |xi|,
- * C_k = a_k/|xi|^(2k+3) with the a_k above, so that no kernel divides. */
-static void add_offset(Lattice *lattice, const BeamDef *def, int p, int q)
-{
-    Offset *offset = &lattice->offsets[lattice->n_offsets++];
-    double dx = lattice->spacing, delta = def->horizon;
-    offset->p = p;
-    offset->q = q;
-    offset->x = p * dx;
-    offset->y = q * dx;
-    offset->squared = offset->x * offset->x + offset->y * offset->y;
-    offset->length = sqrt(offset->squared);
-    offset->weight = factor_at(def, offset->length);
-    offset->influence = def->influence == INFLUENCE_CONICAL ? fmax(0, 1 - offset->length / delta) : 1;
-    double scale = 1 / offset->length;
-    for (int k = 0; k < LATTICE_SERIES; k++) {
-        scale /= offset->squared;
-        offset->series[k] = inverse_root_series[k] * scale;
-    }
-}
-
 /* Half of the family, each bond once: q > 0, and of q = 0 those with p > 0. By rows, since the kernels go
- * through the rows that a node reaches. */
+ * through the rows that a node reaches.
+ *
+ * Of each direction (p, q) spacings: length, volume factor and the coefficients of the series by which the
+ * kernels get the stretch. With e = (|xi + eta|^2 - |xi|^2)/|xi|^2 the elongation over the deformed length is
+ * e times a power series in e; what is stored is in powers of d = e |xi|^2 itself and over |xi|, C_k =
+ * a_k/|xi|^(2k+3) with the a_k above, so that no kernel divides. */
 static void add_offsets(Lattice *lattice, const BeamDef *def)
 {
-    const double dx = lattice->spacing,
-                 limit = def->influence == INFLUENCE_CONICAL ? def->horizon * (1 - 1e-9) : reach_of(def);
+    const bool cone = def->influence == INFLUENCE_CONICAL;
+    const double dx = lattice->spacing, limit = cone ? def->horizon * (1 - 1e-9) : reach_of(def);
     lattice->reach = (int)(limit / dx);
     lattice->rise = lattice->line ? 0 : lattice->reach;
     for (int q = 0; q <= lattice->rise; q++) {
         lattice->first[q] = lattice->n_offsets;
-        for (int p = q == 0 ? 1 : -lattice->reach; p <= lattice->reach; p++)
-            if (math_hypot(p * dx, q * dx) <= limit)
-                add_offset(lattice, def, p, q);
+        for (int p = q == 0 ? 1 : -lattice->reach; p <= lattice->reach; p++) {
+            if (!(math_hypot(p * dx, q * dx) <= limit))
+                continue;
+            Offset *offset = &lattice->offsets[lattice->n_offsets++];
+            offset->p = p;
+            offset->q = q;
+            offset->x = p * dx;
+            offset->y = q * dx;
+            offset->squared = offset->x * offset->x + offset->y * offset->y;
+            offset->length = sqrt(offset->squared);
+            offset->weight = factor_at(def, offset->length);
+            offset->influence = cone ? fmax(0, 1 - offset->length / def->horizon) : 1;
+            double scale = 1 / offset->length;
+            for (int k = 0; k < LATTICE_SERIES; k++) {
+                scale /= offset->squared;
+                offset->series[k] = inverse_root_series[k] * scale;
+            }
+        }
     }
     lattice->first[lattice->rise + 1] = lattice->n_offsets;
 }
@@ -138,14 +135,6 @@ static double family_area(const Lattice *lattice, const BeamDef *def, int i, int
     return area;
 }
 
-/* Asks BeamDef.cancel; the share is that of the whole building of a beam. False: to be given up. */
-static bool lattice_go_on(const BeamDef *def, double share, Status *status)
-{
-    return !cancel_requested(&def->cancel, share) ||
-           status_fail(status, "the building of the %s was cancelled",
-                       def->problem == BEAM_BAR ? "bar" : "beam");
-}
-
 /* Whether the other end is a node; bonds to mirrored ones are not counted. */
 static bool exists(const Lattice *lattice, BondPlace bond)
 {
@@ -164,8 +153,9 @@ static bool set_nodes(Lattice *lattice, const BeamDef *def, Status *status)
     for (size_t node = 0; node < nodes; node++) {
         const int i = lattice_column(lattice, node), j = lattice_row(lattice, node);
         const double share = (double)node / (double)nodes;
-        if (node % LATTICE_NODES_A_QUESTION == 0 && !lattice_go_on(def, BUILDING_BONDS * share, status))
-            return false;
+        if (node % LATTICE_NODES_A_QUESTION == 0 && cancel_requested(&def->cancel, BUILDING_BONDS * share))
+            return status_fail(status, "the building of the %s was cancelled",
+                               lattice->line ? "bar" : "beam");
         lattice->first_bond[node] = number;
         for (int o = 0; o < lattice->n_offsets; o++)
             number += exists(lattice, (BondPlace){i, j, o});

@@ -15,17 +15,13 @@
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
-/* The pressure on the notched beam is live, p > 0 downwards, and the traction on a bar. */
-static double load_scale(const Beam *beam)
-{
-    return beam->def.problem == BEAM_NOTCHED || beam->lattice.line ? beam->head->load_stress : 1;
-}
-
 void beam_load_force(const Beam *beam, const Load *load, double time, double force[2])
 {
     ASSERT_REAL(time, >=, 0);
     const double share = load_share(load, time, beam->sim.dt), dx = beam->lattice.spacing;
-    const double scale = load_scale(beam);
+    /* the pressure on the notched beam is live, p > 0 downwards, and the traction on a bar */
+    const bool live = beam->def.problem == BEAM_NOTCHED || beam->lattice.line;
+    const double scale = live ? beam->head->load_stress : 1;
     force[0] = load->sx * scale * share / dx;
     force[1] = load->sy * scale * share / dx;
 }
