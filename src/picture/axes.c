@@ -328,19 +328,6 @@ int axis_row(const Axis *axis, double value, int cells)
     return row < cells ? row : cells - 1;
 }
 
-/* Whether cells stand at equal distances. Cells are whole: where all are two apart or more one cell is
- * rounding, but two beside one is another scale. */
-static bool stand_evenly(const int *cells, int count)
-{
-    int least = INT_MAX, most = 0;
-    for (int i = 1; i < count; i++) {
-        const int distance = abs(cells[i] - cells[i - 1]);
-        least = distance < least ? distance : least;
-        most = distance > most ? distance : most;
-    }
-    return count < 2 || (least > 0 && (most == least || (least > 1 && most == least + 1)));
-}
-
 /* As many ticks as stand evenly, each so many after the other, the one at zero among them where that can be.
  * To be read from afar not each of them. Of roots and logarithms all: they never lie evenly, or always do. */
 static int even_ticks(Area area, const Axis *axis, const int *cells, int count, double ticks[TICKS_MAX])
@@ -351,13 +338,20 @@ static int even_ticks(Area area, const Axis *axis, const int *cells, int count, 
             zero = i;
     for (int stride = area.canvas->large && count > 3 ? 2 : 1; stride < count; stride++)
         for (int turn = 0; turn < stride; turn++) {
-            int kept[TICKS_MAX], n = 0;
-            for (int i = (zero + turn) % stride; i < count; i += stride)
-                kept[n++] = cells[i];
-            if (n < 2 || (axis->scale == SCALE_LINEAR && !stand_evenly(kept, n)))
+            /* Cells are whole: where all are two apart or more one cell is rounding, but two beside one is
+             * another scale. */
+            const int first = (zero + turn) % stride;
+            int n = 0, least = INT_MAX, most = 0;
+            for (int i = first; i < count; i += stride, n++) {
+                const int distance = i > first ? abs(cells[i] - cells[i - stride]) : least;
+                least = distance < least ? distance : least;
+                most = distance > most && i > first ? distance : most;
+            }
+            const bool even = least > 0 && (most == least || (least > 1 && most == least + 1));
+            if (n < 2 || (axis->scale == SCALE_LINEAR && !even))
                 continue;
             for (int i = 0; i < n; i++)
-                ticks[i] = ticks[(zero + turn) % stride + i * stride];
+                ticks[i] = ticks[first + i * stride];
             return n;
         }
     return count;

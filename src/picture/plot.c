@@ -146,20 +146,6 @@ int plot_dots_down(Glyphs glyphs)
     return glyphs == GLYPHS_BRAILLE ? 4 : glyphs == GLYPHS_BLOCK ? 2 : 1;
 }
 
-/* Half blocks have no room for dots and dashes: such lines are drawn with letters. */
-static uint32_t letter_of(const Raster *raster, const Stroke *stroke)
-{
-    if (raster->glyphs == GLYPHS_ASCII)
-        return (uint32_t)stroke->letter;
-    if (raster->glyphs == GLYPHS_BLOCK && stroke->kind != STROKE_BAND) {
-        if (stroke->line == LINE_DOTTED)
-            return 0x00b7;
-        if (stroke->line == LINE_DASHED)
-            return '-';
-    }
-    return 0;
-}
-
 static void put_dot(Raster *raster, const Stroke *stroke, int x, int y)
 {
     if (x < 0 || y < 0 || x >= raster->columns * raster->across || y >= raster->rows * raster->down)
@@ -170,7 +156,12 @@ static void put_dot(Raster *raster, const Stroke *stroke, int x, int y)
         return;
     if (spot->rank < stroke->rank || spot->style != stroke->style)
         *spot = (Spot){.rank = (int8_t)stroke->rank, .style = (uint16_t)stroke->style};
-    spot->glyph = letter_of(raster, stroke);
+    /* Half blocks have no room for dots and dashes: such lines are drawn with letters. */
+    spot->glyph = 0;
+    if (raster->glyphs == GLYPHS_ASCII)
+        spot->glyph = (uint32_t)stroke->letter;
+    else if (raster->glyphs == GLYPHS_BLOCK && stroke->kind != STROKE_BAND)
+        spot->glyph = stroke->line == LINE_DOTTED ? 0x00b7 : stroke->line == LINE_DASHED ? '-' : 0;
     if (raster->glyphs == GLYPHS_BRAILLE)
         spot->dots |= glyph_dot(x % 2, y % 4);
     else
@@ -187,18 +178,6 @@ typedef struct Pattern {
 } Pattern;
 
 enum { PATTERN_CHUNK = 12, VECTOR_FAR = 100000 /* dots */ };
-
-static bool pattern_lit(Pattern *pattern, LineStyle line, int x)
-{
-    if (line == LINE_SOLID)
-        return true;
-    if ((x + pattern->offset) % PATTERN_CHUNK == 0 && pattern->begun_at != x) {
-        pattern->begun_at = x;
-        pattern->place = 0;
-    }
-    int place = pattern->place++;
-    return line == LINE_DOTTED ? place % 3 == 0 : place % 6 < 4;
-}
 
 /* Cuts a segment to 0 <= y <= bottom; false: nothing is left. */
 static bool cut(double *x0, double *y0, double *x1, double *y1, double bottom)
@@ -234,8 +213,15 @@ static void draw_segment(Raster *raster, const Stroke *stroke, Pattern *pattern,
     for (int i = first ? 0 : 1; i <= steps; i++) {
         double share = steps ? (double)i / steps : 0;
         int x = (int)lround(ax + share * (bx - ax)), y = (int)lround(ay + share * (by - ay));
-        if (!pattern_lit(pattern, stroke->line, x))
-            continue;
+        if (stroke->line != LINE_SOLID) {
+            if ((x + pattern->offset) % PATTERN_CHUNK == 0 && pattern->begun_at != x) {
+                pattern->begun_at = x;
+                pattern->place = 0;
+            }
+            const int place = pattern->place++;
+            if (stroke->line == LINE_DOTTED ? place % 3 != 0 : place % 6 >= 4)
+                continue;
+        }
         put_dot(raster, stroke, x, y);
         if (raster->thick) {
             put_dot(raster, stroke, x + 1, y);

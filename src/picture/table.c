@@ -78,29 +78,6 @@ static int larger(int a, int b)
     return a > b ? a : b;
 }
 
-static int names_width(const TableSheet *sheet, const PictureTable *table)
-{
-    int width = columns_of(sheet, table->what);
-    for (size_t i = 0; i < table->count; i++)
-        width = larger(width, columns_of(sheet, table->rows[i].name));
-    for (TableTotal i = 0; i < TOTALS; i++)
-        width = larger(width, table->totals[i].name ? columns_of(sheet, table->totals[i].name) : 0);
-    return larger(width + 1, NAMES_LEAST);
-}
-
-/* Columns of factors get what room there is, the narrow ones first. */
-static void widen_factors(Plan *plan, int room)
-{
-    for (int least = FACTOR_LEAST; least < FACTOR_MOST && room > 0; least++) {
-        int narrow = 0;
-        for (int c = 0; c < plan->n_columns; c++)
-            narrow += !plan->columns[c]->adds && plan->widths[c] == least;
-        for (int c = 0; c < plan->n_columns && narrow <= room; c++)
-            plan->widths[c] += !plan->columns[c]->adds && plan->widths[c] == least;
-        room -= narrow;
-    }
-}
-
 /* The columns of these bits; false: their factors have no room. */
 static bool take_columns(Plan *plan, const TableSheet *sheet, unsigned wanted, int width)
 {
@@ -117,7 +94,15 @@ static bool take_columns(Plan *plan, const TableSheet *sheet, unsigned wanted, i
         plan->widths[c] = column->adds ? term : larger(columns_of(sheet, column->name) + 1, FACTOR_LEAST);
         room -= plan->widths[c];
     }
-    widen_factors(plan, room);
+    /* Columns of factors get what room there is, the narrow ones first. */
+    for (int least = FACTOR_LEAST, left = room; least < FACTOR_MOST && left > 0; least++) {
+        int narrow = 0;
+        for (int c = 0; c < plan->n_columns; c++)
+            narrow += !plan->columns[c]->adds && plan->widths[c] == least;
+        for (int c = 0; c < plan->n_columns && narrow <= left; c++)
+            plan->widths[c] += !plan->columns[c]->adds && plan->widths[c] == least;
+        left -= narrow;
+    }
     return room >= 0 || plan->n_columns == terms;
 }
 
@@ -164,22 +149,6 @@ static size_t terms_of(const Plan *plan, const TableColumn *column, double terms
     return count;
 }
 
-/* The rows of the highest rank go first, all of them. */
-static void choose_rows(Plan *plan, int room)
-{
-    const PictureTable *table = plan->table;
-    while (plan->shown > 0 && (int)(plan->shown + (plan->shown < table->count)) > room) {
-        int highest = INT_MIN;
-        for (size_t i = 0; i < table->count; i++)
-            if (table->rows[i].rank < plan->limit)
-                highest = larger(highest, table->rows[i].rank);
-        plan->limit = highest;
-        plan->shown = 0;
-        for (size_t i = 0; i < table->count; i++)
-            plan->shown += table->rows[i].rank < highest;
-    }
-}
-
 static double base_of(const TableColumn *column)
 {
     return isnan(column->base) ? 0 : column->base;
@@ -195,7 +164,13 @@ Writing table_writing(const PictureTable *table, const TableColumn *column, int 
 
 static Plan plan_of(const TableSheet *sheet, const PictureTable *table, int width, int rows)
 {
-    Plan plan = {.table = table, .limit = INT_MAX, .shown = table->count, .names = names_width(sheet, table)};
+    Plan plan = {
+        .table = table, .limit = INT_MAX, .shown = table->count, .names = columns_of(sheet, table->what)};
+    for (size_t i = 0; i < table->count; i++)
+        plan.names = larger(plan.names, columns_of(sheet, table->rows[i].name));
+    for (TableTotal i = 0; i < TOTALS; i++)
+        plan.names = larger(plan.names, table->totals[i].name ? columns_of(sheet, table->totals[i].name) : 0);
+    plan.names = larger(plan.names + 1, NAMES_LEAST);
     double terms[TABLE_ROWS_MAX + 1], sum;
     int around = 1 + (table->title[0] != '\0'); /* rows of heads and totals */
     choose_columns(&plan, sheet, width);
@@ -212,7 +187,18 @@ static Plan plan_of(const TableSheet *sheet, const PictureTable *table, int widt
                     writing_of(terms, count, base_of(plan.columns[c]), sum, plan.widths[c] - 1);
             plan.scaled |= plan.writings[c].exponent != 0;
         }
-        choose_rows(&plan, rows - around - plan.scaled);
+        /* The rows of the highest rank go first, all of them. */
+        while (plan.shown > 0 &&
+               (int)(plan.shown + (plan.shown < table->count)) > rows - around - plan.scaled) {
+            int highest = INT_MIN;
+            for (size_t i = 0; i < table->count; i++)
+                if (table->rows[i].rank < plan.limit)
+                    highest = larger(highest, table->rows[i].rank);
+            plan.limit = highest;
+            plan.shown = 0;
+            for (size_t i = 0; i < table->count; i++)
+                plan.shown += table->rows[i].rank < highest;
+        }
     }
     plan.height = around + plan.scaled + (int)plan.shown + (plan.shown < table->count);
     return plan;
@@ -410,14 +396,14 @@ static void write_notes(const Picture *picture, Part *part, bool spare)
     }
 }
 
-/* --- what is around ------------------------------------------------------------------------------------ */
-
 /* Columns of a place. */
 static int place_width(const Picture *picture, int columns)
 {
     const int room = (columns - BESIDE - 1) / (2 * picture->around->reach + 1);
     return room > PLACE_MOST ? PLACE_MOST : larger(room, PLACE_LEAST);
 }
+
+/* --- what is around ------------------------------------------------------------------------------------ */
 
 bool tables_around(const Picture *picture, int columns, int *width, int *height)
 {
@@ -435,28 +421,26 @@ bool tables_are_parted(const Picture *picture, int columns)
     return picture->around && !tables_around(picture, columns, &width, &height);
 }
 
-static void write_place(const Part *part, const struct AroundPlace *place, int column, int row, int width)
-{
-    char text[24];
-    if (place->sign)
-        text[glyph_put(text, place->sign)] = '\0';
-    else
-        snprintf(text, sizeof text, "%.0f", round(place->value) + 0.0);
-    if (glyphs_columns(text) > width - (text[0] != '-')) /* far beyond: about to break, or unstable */
-        strcpy(text, place->value > 0 ? ">>" : "<<");
-    if (place->is_there) {
-        stand(part, column - width, row, width, place->thing);
-        write_words(part, column, row, text, place->style, true);
-    }
-}
-
 static void write_around(const Picture *picture, Part *part, int columns)
 {
     const PictureAround *around = picture->around;
     const int width = place_width(picture, columns), side = 2 * around->reach + 1;
     for (int row = 0; row < side; row++, part->y++)
-        for (int column = 0; column < side; column++)
-            write_place(part, &around->places[side - 1 - row][column], (column + 1) * width, part->y, width);
+        for (int column = 0; column < side; column++) {
+            const struct AroundPlace *place = &around->places[side - 1 - row][column];
+            const int end = (column + 1) * width;
+            char text[24];
+            if (place->sign)
+                text[glyph_put(text, place->sign)] = '\0';
+            else
+                snprintf(text, sizeof text, "%.0f", round(place->value) + 0.0);
+            if (glyphs_columns(text) > width - (text[0] != '-')) /* far beyond: about to break, or unstable */
+                strcpy(text, place->value > 0 ? ">>" : "<<");
+            if (place->is_there) {
+                stand(part, end - width, part->y, width, place->thing);
+                write_words(part, end, part->y, text, place->style, true);
+            }
+        }
     write_words(part, 1, part->y++, around->meaning, STYLE_FAINT, false);
 }
 

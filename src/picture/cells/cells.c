@@ -71,20 +71,17 @@ static int rows_under(const Picture *picture, int columns, int rows)
     return wanted < room ? wanted : room;
 }
 
-static int ticks_up(const Axis *axis, int rows)
-{
-    if (axis->scale == SCALE_ROOT) /* which leaves out most of them itself */
-        return rows < 10 ? rows : 10;
-    return rows < 5 ? 3 : rows < 12 ? 5 : 7;
-}
-
 void cells_fit(Picture *picture, int rows)
 {
     ASSERT_INT(rows, >=, 0);
     const int plot = rows - 2 - rows_under(picture, picture->columns, rows);
+    /* of roots the axis leaves out most of them itself */
+    const int up = picture->plot.y.scale == SCALE_ROOT ? (plot < 10 ? plot : 10)
+                   : plot < 5                          ? 3
+                   : plot < 12                         ? 5
+                                                       : 7;
     /* Of an axis that moves there are fewer, for its labels may become longer. */
-    picture_ticks(picture, (picture->across + (picture->plot.x.moves ? 0 : GUTTER + 1)) / TICK_COLUMNS,
-                  ticks_up(&picture->plot.y, plot));
+    picture_ticks(picture, (picture->across + (picture->plot.x.moves ? 0 : GUTTER + 1)) / TICK_COLUMNS, up);
 }
 
 /* --- legend ---------------------------------------------------------------------------------------- */

@@ -28,16 +28,6 @@ static int column_width(const PictureColumn *column)
     return column->kind == LIST_SIGN ? 2 : width > NUMBER_WIDTH ? width : NUMBER_WIDTH;
 }
 
-static int names_width(const PictureList *list)
-{
-    int width = list->what[0] ? NAME_WIDTH : 0;
-    for (size_t i = 0; i < list->rows && !list->what[0]; i++) {
-        const int columns = glyphs_columns(list->names[i]) + 2;
-        width = columns > width ? columns : width;
-    }
-    return width;
-}
-
 /* The column after the last one that fits, from `first` on. */
 static int last_that_fits(const PictureList *list, int first, int names, int width)
 {
@@ -73,26 +63,14 @@ static size_t first_with(const PictureList *list, const Sight *sight, size_t las
     return last;
 }
 
-/* As it was left, but so that the chosen one is seen and no row stays empty that could be used. */
-static size_t first_event(const PictureList *list, const Sight *sight)
-{
-    const size_t least = first_with(list, sight, list->chosen),
-                 most = first_with(list, sight, list->count - 1);
-    size_t first = list->top > most ? most : list->top;
-    first = first > list->chosen ? list->chosen : first;
-    return first < least ? least : first;
-}
-
-static size_t first_thing(const PictureList *list, size_t room)
-{
-    const size_t first = list->chosen > room / 2 ? list->chosen - room / 2 : 0;
-    return first + room <= list->count ? first : list->count > room ? list->count - room : 0;
-}
-
 static Sight sight_of(const Picture *picture, int width, int height)
 {
     const PictureList *list = picture->list;
-    Sight sight = {.heading_rows = 1 + (list->what[0] != '\0'), .names = names_width(list)};
+    Sight sight = {.heading_rows = 1 + (list->what[0] != '\0'), .names = list->what[0] ? NAME_WIDTH : 0};
+    for (size_t i = 0; i < list->rows && !list->what[0]; i++) {
+        const int columns = glyphs_columns(list->names[i]) + 2;
+        sight.names = columns > sight.names ? columns : sight.names;
+    }
     sight.room = height - sight.heading_rows - (list->count > 0 ? picture->n_notes : 0);
     while (sight.first_column < list->chosen_column &&
            last_that_fits(list, sight.first_column, sight.names, width) <= list->chosen_column)
@@ -102,9 +80,18 @@ static Sight sight_of(const Picture *picture, int width, int height)
     for (int c = 0; c < list->n_columns; c++)
         sight.words += list->columns[c].kind == LIST_SIGN ? 2 : 0;
     sight.width = width - sight.words - 1;
-    if (list->count > 0)
-        sight.first = list->set < 0 ? first_event(list, &sight)
-                                    : first_thing(list, sight.room > 0 ? (size_t)sight.room : 0);
+    if (list->count > 0 && list->set < 0) {
+        /* As it was left, but so that the chosen one is seen and no row stays empty that could be used. */
+        const size_t least = first_with(list, &sight, list->chosen),
+                     most = first_with(list, &sight, list->count - 1);
+        size_t first = list->top > most ? most : list->top;
+        first = first > list->chosen ? list->chosen : first;
+        sight.first = first < least ? least : first;
+    } else if (list->count > 0) {
+        const size_t room = sight.room > 0 ? (size_t)sight.room : 0;
+        const size_t first = list->chosen > room / 2 ? list->chosen - room / 2 : 0;
+        sight.first = first + room <= list->count ? first : list->count > room ? list->count - room : 0;
+    }
     return sight;
 }
 
@@ -113,16 +100,6 @@ static Sight sight_of(const Picture *picture, int width, int height)
 static Style style_on(Style style, bool marked)
 {
     return marked && style != STYLE_CHANGED ? STYLE_SELECTED : style;
-}
-
-static Format format_in_sight(const PictureList *list, int column, size_t first, size_t rows)
-{
-    enum { ROWS_MAX = 256 };
-    double values[ROWS_MAX];
-    rows = rows < ROWS_MAX ? rows : ROWS_MAX;
-    for (size_t i = 0; i < rows; i++)
-        values[i] = picture_cell(list, column, first - list->first + i)->value;
-    return format_of(values, rows, DIGITS, NUMBER_WIDTH - 1);
 }
 
 /* Its numbers or letters; returns the column after it. */
@@ -135,8 +112,14 @@ static int draw_column(const PictureList *list, const Sight *sight, Area area, i
     const int end = x + column_width(head);
     const bool here = column == list->chosen_column && heading == STYLE_FOCUS;
     Format format = {0};
-    if (head->kind == LIST_NUMBER)
-        format = format_in_sight(list, column, sight->first, rows);
+    if (head->kind == LIST_NUMBER) {
+        enum { ROWS_MAX = 256 };
+        double values[ROWS_MAX];
+        const size_t counted = rows < ROWS_MAX ? rows : ROWS_MAX;
+        for (size_t i = 0; i < counted; i++)
+            values[i] = picture_cell(list, column, sight->first - list->first + i)->value;
+        format = format_of(values, counted, DIGITS, NUMBER_WIDTH - 1);
+    }
     if (list->what[0])
         area_text_right(area, end - 1, 1, head->name, here ? STYLE_FOCUS : STYLE_HEADING);
     for (size_t i = 0, y = (size_t)sight->heading_rows;
@@ -312,12 +295,6 @@ Rect cells_below(const Picture *picture, Rect rect)
 
 enum { GAP_MOST = 2 }; /* behind an entry */
 
-static bool is_dots(const char *key)
-{
-    const uint32_t glyph = glyph_next(&key);
-    return glyph >= 0x2800 && glyph < 0x2900;
-}
-
 static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, int n_legend)
 {
     for (int i = 0; i < n_legend; i++) {
@@ -328,7 +305,9 @@ static int draw_entries(Area area, int x, int y, int gap, const Legend *legend, 
         const char *key =
             legend[i].key ? legend[i].key : plot_key(legend[i].line, legend[i].letter, area.glyphs);
         area_text(area, x, y, key, legend[i].style);
-        if (is_dots(key)) { /* the line or the band itself, for a terminal that draws it finer */
+        const uint32_t sign = glyph_next(&key);
+        const bool braille = sign >= 0x2800 && sign < 0x2900;
+        if (braille) { /* the line or the band itself, for a terminal that draws it finer */
             canvas_vector(area.canvas, ";A%d,%d,2,1", area.rect.x + x, area.rect.y + y);
             if (legend[i].band > 0)
                 canvas_vector(area.canvas, ";B%d,%d,0 0,2 0,14 32,2 32,14", (int)legend[i].style,
@@ -368,18 +347,6 @@ const char *legend_short_name(const char *name)
 
 enum { NAME_KINDS = 4 };
 
-/* The value alone of "Courant number 0.1": its last word or, with its unit, from its number on. */
-static const char *value_of(const char *name)
-{
-    const char *value = name;
-    for (const char *word = name; (word = strchr(word, ' ')) != NULL;) {
-        const bool has_number = strchr("-.0123456789", *value) != NULL;
-        value = has_number ? value : word + 1;
-        word++;
-    }
-    return value;
-}
-
 /* How an entry is named where room is short, by what gives way first; NULL: it is not of that kind. */
 static const char *shorter_name(const Legend *entry, int kind)
 {
@@ -390,8 +357,16 @@ static const char *shorter_name(const Legend *entry, int kind)
         return !run ? NULL : entry->name[0] == 'A' ? "A" : "B";
     case 1:
         return legend_short_name(entry->name);
-    case 2:
-        return ghost ? value_of(entry->name) : NULL;
+    case 2: {
+        /* The value alone of "Courant number 0.1": its last word or, with its unit, from its number on. */
+        const char *value = entry->name;
+        for (const char *word = value; (word = strchr(word, ' ')) != NULL;) {
+            const bool has_number = strchr("-.0123456789", *value) != NULL;
+            value = has_number ? value : word + 1;
+            word++;
+        }
+        return ghost ? value : NULL;
+    }
     default:
         return ghost ? "" : NULL; /* its letter has to do */
     }

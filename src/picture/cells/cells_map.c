@@ -289,34 +289,18 @@ static void draw_dots(const Sheet *sheet)
 
 /* --- lines ------------------------------------------------------------------------------------------ */
 
-static void cross_dot(const Sheet *sheet, double x, double y, const Stroke *pen, uint32_t letter)
-{
-    const int column = (int)floor(x), row = (int)floor(y);
-    if (column < 0 || row < 0 || column >= sheet->area.rect.width || row >= sheet->area.rect.height)
-        return;
-    Crossing *crossing = &sheet->crossings[(size_t)row * (size_t)sheet->area.rect.width + (size_t)column];
-    crossing->dots |= glyph_dot((int)(2 * (x - column)), (int)(4 * (y - row)));
-    if (pen->rank < crossing->rank)
-        return;
-    crossing->rank = (uint8_t)pen->rank;
-    crossing->style = (uint16_t)pen->style;
-    /* where lines cross neither direction stands for both */
-    crossing->letter = crossing->letter && crossing->letter != letter && !pen->letter ? 'x' : letter;
-}
-
-/* A line's direction as a letter; a cell is twice as high as wide. */
-static uint32_t direction_of(double dx, double dy)
-{
-    const double across = fabs(dx), down = 2 * fabs(dy);
-    return across > 2 * down ? '-' : down > 2 * across ? '|' : (dx > 0) == (dy > 0) ? '\\' : '/';
-}
-
 /* In cells, with dots (every n-th) or a letter. */
 static void draw_line(const Sheet *sheet, const double from[2], const double to[2], const Stroke *pen)
 {
     const double dx = to[0] - from[0], dy = to[1] - from[1];
     const double length = fmax(2 * fabs(dx), 4 * fabs(dy));
-    const uint32_t letter = pen->letter ? (uint32_t)(unsigned char)pen->letter : direction_of(dx, dy);
+    /* The direction as a letter; a cell is twice as high as wide. */
+    const double across = fabs(dx), down = 2 * fabs(dy);
+    const uint32_t direction = across > 2 * down      ? '-'
+                               : down > 2 * across    ? '|'
+                               : (dx > 0) == (dy > 0) ? '\\'
+                                                      : '/';
+    const uint32_t letter = pen->letter ? (uint32_t)(unsigned char)pen->letter : direction;
     if (!(length < 1e5))
         return;
     canvas_vector(sheet->area.canvas, ";L%d,%d,%d %ld,%ld %ld,%ld", (int)pen->style, (int)pen->line,
@@ -325,9 +309,20 @@ static void draw_line(const Sheet *sheet, const double from[2], const double to[
     const bool dots = sheet->area.glyphs == GLYPHS_BRAILLE;
     const int every = !dots || pen->line == LINE_SOLID ? 1 : pen->line == LINE_DASHED ? 2 : 4;
     const int steps = (int)ceil(length);
-    for (int i = 0; i <= steps; i += every)
-        cross_dot(sheet, from[0] + dx * i / (steps ? steps : 1), from[1] + dy * i / (steps ? steps : 1), pen,
-                  letter);
+    for (int i = 0; i <= steps; i += every) {
+        const double x = from[0] + dx * i / (steps ? steps : 1), y = from[1] + dy * i / (steps ? steps : 1);
+        const int column = (int)floor(x), row = (int)floor(y);
+        if (column < 0 || row < 0 || column >= sheet->area.rect.width || row >= sheet->area.rect.height)
+            continue;
+        Crossing *crossing = &sheet->crossings[(size_t)row * (size_t)sheet->area.rect.width + (size_t)column];
+        crossing->dots |= glyph_dot((int)(2 * (x - column)), (int)(4 * (y - row)));
+        if (pen->rank < crossing->rank)
+            continue;
+        crossing->rank = (uint8_t)pen->rank;
+        crossing->style = (uint16_t)pen->style;
+        /* where lines cross neither direction stands for both */
+        crossing->letter = crossing->letter && crossing->letter != letter && !pen->letter ? 'x' : letter;
+    }
 }
 
 /* A wall is drawn in the nearest dots that the body leaves free, with a lip at its end. */

@@ -24,14 +24,6 @@ static size_t before_index(const char *text)
     return strlen(text);
 }
 
-static size_t letters_of(const char *text)
-{
-    size_t count = 0;
-    while (isalpha((unsigned char)text[count]))
-        count++;
-    return count;
-}
-
 /* How wide a text is, in sizes. Nobody knows with which font an SVG will be shown: DejaVu Sans is among the
  * wide ones, so what is laid out for it does not collide, and a page is laid out in the same way in every
  * kind of file. Hundredths of the size, from the space to the tilde. */
@@ -64,7 +56,9 @@ static double set_words(Paper *paper, double x, double y, const char *words, con
         Type part = *type;
         char piece[FIGURE_WORDS_MAX];
         words += index; /* the line */
-        const size_t length = index ? letters_of(words) : before_index(words);
+        size_t length = index ? 0 : before_index(words);
+        while (index && isalpha((unsigned char)words[length]))
+            length++;
         const double down = index ? INDEX_DOWN * type->size : 0;
         part.size *= index ? INDEX_SIZE : 1;
         part.align = ALIGN_LEFT;

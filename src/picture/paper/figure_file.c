@@ -28,14 +28,6 @@ enum { COLUMNS_MANY = 3 }; /* from so many panels on they are in two columns */
 
 static const Type small = {.size = SIZE_SMALL, .colour = GREY};
 
-static bool has_key(const Picture *picture, const PictureKey *key)
-{
-    for (int i = 0; i < picture->n_keys; i++)
-        if (strcmp(picture->keys[i].name, key->name) == 0 && picture->keys[i].sign == key->sign)
-            return true;
-    return false;
-}
-
 /* The panel whose legend and colours can stand for all: the one that names most. NULL: there is none, or no
  * other panel. */
 static const Picture *common_of(const Figure *figure)
@@ -46,9 +38,15 @@ static const Picture *common_of(const Figure *figure)
             most = &figure->panels[i]->picture;
     for (int i = 0; i < figure->count; i++) {
         const Picture *picture = &figure->panels[i]->picture;
-        for (int k = 0; k < picture->n_keys; k++)
-            if (!has_key(most, &picture->keys[k]))
+        for (int k = 0; k < picture->n_keys; k++) {
+            const PictureKey *key = &picture->keys[k];
+            int at = 0;
+            while (at < most->n_keys &&
+                   (strcmp(most->keys[at].name, key->name) != 0 || most->keys[at].sign != key->sign))
+                at++;
+            if (at == most->n_keys)
                 return NULL;
+        }
         if (most->map &&
             (!picture->map || picture->map->low != most->map->low || picture->map->high != most->map->high))
             return NULL;
@@ -222,23 +220,18 @@ bool figure_allowed(const char *file, Status *status)
 
 /* --- views by name --------------------------------------------------------------------------------- */
 
-/* "beam", or "beam:damage" for a variant; "": there is no such variant, or no figure. */
-static void name_of(const Screen *screen, const View *view, int variant, char out[NAME_MAX_BYTES])
-{
-    const char *word = view->word, *part = view_variant_word(view, screen, variant);
-    out[0] = '\0';
-    if (view_is_on_paper(view, screen) && (part || variant == 0))
-        snprintf(out, NAME_MAX_BYTES, "%s%s%s", word, part ? ":" : "", part ? part : "");
-}
-
-/* The next name that stands for a view here, of view *i and its variant, which begin at 0 and -1; false: no
- * more. */
+/* The next name ("beam", or "beam:damage" for a variant) that stands for a view here, of view *i and its
+ * variant, which begin at 0 and -1; false: no more. */
 static bool next_name(const Screen *screen, int *i, int *variant, char name[NAME_MAX_BYTES])
 {
     for (++*variant; *i < n_views; ++*i, *variant = 0) {
-        name_of(screen, views[*i], *variant, name);
-        if (name[0])
+        const View *view = views[*i];
+        const char *part = view_variant_word(view, screen, *variant);
+        name[0] = '\0';
+        if (view_is_on_paper(view, screen) && (part || *variant == 0)) {
+            snprintf(name, NAME_MAX_BYTES, "%s%s%s", view->word, part ? ":" : "", part ? part : "");
             return true;
+        }
     }
     return false;
 }
@@ -351,14 +344,6 @@ static void caption_of(const char *time, char *out, size_t size)
     snprintf(out, size, "t = %.*s%s", (int)kept, number, number + strspn(number, "0123456789."));
 }
 
-static bool nothing_to_draw(Status *status, const Picture *picture, const char *name)
-{
-    if (picture->n_notes > 0)
-        return status_fail(status, "%s: nothing to draw: %s", name, picture->notes[0].text);
-    return status_refuse(status, "%s: nothing to draw: the page is too small for it (at least 30x30 mm)",
-                         name);
-}
-
 bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
 {
     const Settings *settings = screen_settings(screen);
@@ -377,10 +362,14 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
     /* a screen is drawn again, a page is not */
     const bool in_want = errno == ENOMEM || picture->plot.lost;
     if (in_want || !(picture->has_axes || picture->n_tables > 0)) {
+        const char *name = *picture->heading ? picture->heading : view->word;
         if (in_want)
             no_memory(status);
+        else if (picture->n_notes > 0)
+            status_fail(status, "%s: nothing to draw: %s", name, picture->notes[0].text);
         else
-            nothing_to_draw(status, picture, *picture->heading ? picture->heading : view->word);
+            status_refuse(status, "%s: nothing to draw: the page is too small for it (at least 30x30 mm)",
+                          name);
         picture_close(&panel->picture);
         free(panel);
         return false;

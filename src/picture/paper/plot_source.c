@@ -184,23 +184,6 @@ static void tex_mark(FILE *out, const Picture *picture, const PictureMark *mark)
     fputs(";\n", out);
 }
 
-static void tex_key(FILE *out, const PictureKey *key)
-{
-    static const char *const images[] = {
-        [STROKE_LINE] = "no marks, ", [STROKE_DOTS] = "only marks, ", [STROKE_BAND] = "area legend, "};
-    const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
-    fprintf(out, "\\addlegendimage{%s", images[kind_of(key)]);
-    if (kind_of(key) == STROKE_DOTS)
-        fprintf(out, "mark=%s, ", sign_of_key(key)->tex);
-    if (kind_of(key) == STROKE_BAND)
-        tex_colour(out, "fill", ink_fill(key->style, key->fill));
-    else
-        tex_pencil(out, &pencil);
-    fputs("}\n\\addlegendentry{", out);
-    tex_words(out, key->name);
-    fputs("}\n", out);
-}
-
 static void write_tex(FILE *out, const Figure *figure, int columns)
 {
     fprintf(out, "%% matvib " PACKAGE_VERSION "\n%% %s\n%% %s\n", figure->title, figure->parameters);
@@ -228,8 +211,23 @@ static void write_tex(FILE *out, const Figure *figure, int columns)
         /* once, beside the first row */
         const bool has_legend =
             !figure->bare && panel == (columns < figure->count ? columns : figure->count) - 1;
-        for (int i = 0; has_legend && i < picture->n_keys; i++)
-            tex_key(out, &picture->keys[i]);
+        for (int i = 0; has_legend && i < picture->n_keys; i++) {
+            const PictureKey *key = &picture->keys[i];
+            static const char *const images[] = {[STROKE_LINE] = "no marks, ",
+                                                 [STROKE_DOTS] = "only marks, ",
+                                                 [STROKE_BAND] = "area legend, "};
+            const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
+            fprintf(out, "\\addlegendimage{%s", images[kind_of(key)]);
+            if (kind_of(key) == STROKE_DOTS)
+                fprintf(out, "mark=%s, ", sign_of_key(key)->tex);
+            if (kind_of(key) == STROKE_BAND)
+                tex_colour(out, "fill", ink_fill(key->style, key->fill));
+            else
+                tex_pencil(out, &pencil);
+            fputs("}\n\\addlegendentry{", out);
+            tex_words(out, key->name);
+            fputs("}\n", out);
+        }
     }
     fputs("\\end{groupplot}\n\\end{tikzpicture}\n", out);
 }
@@ -243,14 +241,6 @@ static void gnuplot_words(FILE *out, const char *text)
     for (; *text; text++)
         fputs(*text == '\'' ? "''" : (const char[]){*text, '\0'}, out);
     fputc('\'', out);
-}
-
-static void gnuplot_pencil(FILE *out, const Pencil *pencil)
-{
-    fprintf(out, " lc rgb '#%06x' lw %g", pencil->colour, pencil->width);
-    for (int i = 0; i < 4 && pencil->dashes[i] > 0; i++) /* a dash of no length is not drawn there */
-        fprintf(out, "%s%g", i > 0 ? "," : " dt (", fmax(pencil->dashes[i], 1));
-    fputs(pencil->dashes[0] > 0 ? ")" : "", out);
 }
 
 static void gnuplot_axis(FILE *out, const Picture *picture, int which)
@@ -289,25 +279,6 @@ static void gnuplot_mark(FILE *out, const Picture *picture, const PictureMark *m
     }
 }
 
-/* The points of a stroke: x y, of a band x low high; an empty line breaks it. */
-static void gnuplot_data(FILE *out, const Picture *picture, int panel, int index)
-{
-    const Plot *plot = &picture->plot;
-    const Stroke *stroke = &plot->strokes[index];
-    const size_t apart = stroke->kind == STROKE_BAND ? 2 : 1;
-    fprintf(out, "$p%ds%d << END\n", panel, index);
-    for (size_t i = 0; i + apart <= stroke->count; i += apart) {
-        const double *point = plot->points + 2 * (stroke->first + i);
-        const double x = place_on(&plot->x, point[0]), y = place_on(&plot->y, point[1]);
-        if (isfinite(x) && isfinite(y))
-            fprintf(out, "%.9g %.9g", x, y);
-        if (isfinite(x) && isfinite(y) && apart == 2)
-            fprintf(out, " %.9g", place_on(&plot->y, point[3]));
-        fputc('\n', out);
-    }
-    fputs("END\n", out);
-}
-
 /* As what a curve or an entry of the legend is drawn. */
 static void gnuplot_look(FILE *out, StrokeKind kind, const char *dots, const Pencil *pencil, Colour fill)
 {
@@ -316,8 +287,12 @@ static void gnuplot_look(FILE *out, StrokeKind kind, const char *dots, const Pen
     fprintf(out, "%s%s", drawn[kind], kind == STROKE_DOTS ? dots : "");
     if (kind == STROKE_BAND)
         fprintf(out, " fc rgb '#%06x'", fill);
-    else
-        gnuplot_pencil(out, pencil);
+    else {
+        fprintf(out, " lc rgb '#%06x' lw %g", pencil->colour, pencil->width);
+        for (int i = 0; i < 4 && pencil->dashes[i] > 0; i++) /* a dash of no length is not drawn there */
+            fprintf(out, "%s%g", i > 0 ? "," : " dt (", fmax(pencil->dashes[i], 1));
+        fputs(pencil->dashes[0] > 0 ? ")" : "", out);
+    }
     fputs(", \\\n  ", out);
 }
 
@@ -351,8 +326,23 @@ static void write_gnuplot(FILE *out, const Figure *figure, int columns)
             figure->title, figure->parameters);
     fputs("set encoding utf8\nset termoption noenhanced\nset key outside\n", out);
     for (int panel = 0; panel < figure->count; panel++)
-        for (int i = 0; i < figure->panels[panel]->picture.plot.n_strokes; i++)
-            gnuplot_data(out, &figure->panels[panel]->picture, panel, i);
+        for (int i = 0; i < figure->panels[panel]->picture.plot.n_strokes; i++) {
+            /* The points of a stroke: x y, of a band x low high; an empty line breaks it. */
+            const Plot *plot = &figure->panels[panel]->picture.plot;
+            const Stroke *stroke = &plot->strokes[i];
+            const size_t apart = stroke->kind == STROKE_BAND ? 2 : 1;
+            fprintf(out, "$p%ds%d << END\n", panel, i);
+            for (size_t k = 0; k + apart <= stroke->count; k += apart) {
+                const double *point = plot->points + 2 * (stroke->first + k);
+                const double x = place_on(&plot->x, point[0]), y = place_on(&plot->y, point[1]);
+                if (isfinite(x) && isfinite(y))
+                    fprintf(out, "%.9g %.9g", x, y);
+                if (isfinite(x) && isfinite(y) && apart == 2)
+                    fprintf(out, " %.9g", place_on(&plot->y, point[3]));
+                fputc('\n', out);
+            }
+            fputs("END\n", out);
+        }
     if (figure->count > 1)
         fprintf(out, "set multiplot layout %d,%d\n", (figure->count + columns - 1) / columns, columns);
     for (int panel = 0; panel < figure->count; panel++) {

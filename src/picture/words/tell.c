@@ -124,22 +124,19 @@ static void tell_number(const Screen *screen, Words *words)
     }
 }
 
-static bool is_of_setup(const Parameter *parameter)
-{
-    static const char *const groups[] = {"Supports", "Notch", "Load", "Motion", NULL};
-    return text_place_in(parameter->group, groups) >= 0 || strcmp(parameter->key, "bar.supports") == 0;
-}
-
 /* A line for each heading of the parameters that is of it, and one for each row; what does nothing is left
  * out. */
 static void tell_setup(const Screen *screen, Words *words)
 {
+    static const char *const groups[] = {"Supports", "Notch", "Load", "Motion", NULL};
     const Settings *settings = screen_settings(screen);
     char text[400] = "", value[LIST_MAX];
     for (int i = 0; i < n_parameters; i++) {
         const Parameter *one = &parameters[i];
         const char *const next = i + 1 < n_parameters ? parameters[i + 1].group : "";
-        if (is_of_setup(one) && parameter_applies_to(settings, one)) {
+        const bool is_of_setup =
+            text_place_in(one->group, groups) >= 0 || strcmp(one->key, "bar.supports") == 0;
+        if (is_of_setup && parameter_applies_to(settings, one)) {
             settings_show(settings, one, value);
             if (*value && (one->type != PARAMETER_REAL || settings_number(settings, one) != 0))
                 text_append(text, sizeof text, "%s %s %s", *text ? "," : "", one->label, value);
