@@ -116,17 +116,31 @@ typedef struct Explanation {
 } Explanation;
 
 typedef enum DiagnoseVerdict {
-    DIAGNOSE_RIGHT,     /* they are those of the right run */
+    DIAGNOSE_RIGHT,     /* they are those of a right code */
     DIAGNOSE_EXPLAINED, /* they are those of other codes */
     DIAGNOSE_UNKNOWN,   /* of no code that was tried */
     DIAGNOSE_COPIED,    /* of no run: of the exact answer */
     DIAGNOSE_MUTE       /* no column has any information */
 } DiagnoseVerdict;
 
-enum { EXPLANATIONS_MAX = 40 };
+/* The verdict in a word: right by the scenario's scheme or another one; right, but for how it is written; a
+ * mistake or a wrong value; one of several; unknown. */
+typedef enum DiagnoseWord {
+    WORD_RIGHT,
+    WORD_RIGHT_BUT,
+    WORD_MISTAKE,
+    WORD_ONE_OF,
+    WORD_UNKNOWN
+} DiagnoseWord;
+
+extern const char *const diagnose_words[]; /* "right", "right but", "mistake", "one of", "unknown" */
+
+enum { EXPLANATIONS_MAX = 40, DIAGNOSE_NAMED_MAX = 5 /* so many codes are named */ };
 
 typedef struct Diagnosis {
     DiagnoseVerdict verdict;
+    DiagnoseWord word;
+    char but[200]; /* how right numbers are written otherwise than the scenario's; "": no such thing */
     size_t rows, compared; /* of the file; of them beside the right run */
     size_t agreed;         /* with the right run, from the first on */
     long agreed_step;      /* up to which; -1: none */
@@ -136,7 +150,7 @@ typedef struct Diagnosis {
     char agreeing[160]; /* where some depart: the columns that change, and agree in all rows; "": none */
     double farthest;    /* the largest departure of all, as a share of its column's size */
     bool single;        /* it is judged as numbers of single precision */
-    char scheme[128];   /* of the right run */
+    char scheme[128];   /* of the right run, or of the code that makes the numbers */
     Explanation
         explanations[EXPLANATIONS_MAX]; /* EXPLAINED: of the file; RIGHT: mistakes that it cannot show */
     int n_explanations, more;           /* of which there is no room */
@@ -160,24 +174,6 @@ bool diagnose(const DiagnoseTask *, DiagnoseTable *, Diagnosis *, Status *);
 
 /* How the table was read: "v: v of particle 49; rows carry the time before their step; dt 0.02". */
 void diagnosis_read_as(const DiagnoseTable *, char *out, size_t size);
-
-/* The verdict: right by the scenario's scheme or another one; right, but for how it is written; a mistake or
- * a wrong value; one of several; unknown. */
-typedef enum DiagnoseWord {
-    WORD_RIGHT,
-    WORD_RIGHT_BUT,
-    WORD_MISTAKE,
-    WORD_ONE_OF,
-    WORD_UNKNOWN
-} DiagnoseWord;
-
-extern const char *const diagnose_words[]; /* "right", "right but", "mistake", "one of", "unknown" */
-enum { DIAGNOSE_NAMED_MAX = 5 };           /* so many codes are named */
-
-DiagnoseWord diagnosis_word(const Diagnosis *, const DiagnoseTable *);
-
-/* The explanation that acquits the file, a right code by another scheme; NULL: none does. */
-const Explanation *diagnosis_acquits(const Diagnosis *);
 
 /* What it came to, in lines of ASCII. As in a command, `scenario`: with its settings, "mode5 --set
  * bar.density=2"; `file`: with its map, "own/a.csv --map 1=time,2=v_cm". */

@@ -140,6 +140,10 @@ typedef struct Search {
         lost[OVERLAY_COLUMNS_MAX]; /* per column of the file the row from which on it is left out; 0: none */
 } Search;
 
+/* diagnose_words.c: the last step: makes the verdict a word, and gives the scheme, digits and rows of a right
+ * code by another scheme the place of those of the right run. */
+void diagnose_conclude(Diagnosis *, const DiagnoseTable *);
+
 /* Whether no other code and no other reading is tried any more; what is found says so. */
 bool diagnose_time_is_up(const Search *);
 

@@ -836,6 +836,7 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
                      : "%s: none of its columns is ours, as far as its first rows tell (--map 1=time,2=v_cm)",
                  table->file.file)) &&
             judge_all(search, readings, count);
+    diagnose_conclude(found, table);
     free(readings);
     free(search->values);
     free(search->grown);

@@ -141,7 +141,8 @@ static void fill(const File *file, char cells[CELLS][CELL_MAX])
 {
     const Diagnosis *found = &file->found;
     const Departure *departure = &found->departure;
-    const Explanation *right = diagnosis_acquits(found), *first = &found->explanations[0];
+    const Explanation *first = &found->explanations[0];
+    const bool named = found->verdict == DIAGNOSE_EXPLAINED;
     memset(cells, 0, (size_t)CELLS * CELL_MAX);
     visible_text(cells[CELL_NAME], CELL_MAX, file->path);
     text_append(cells[CELL_ERROR], CELL_MAX, "%s", file->failure.text);
@@ -149,26 +150,18 @@ static void fill(const File *file, char cells[CELLS][CELL_MAX])
         text_append(cells[CELL_VERDICT], CELL_MAX, "unread");
         return;
     }
-    const DiagnoseWord word = diagnosis_word(found, &file->table);
-    text_append(cells[CELL_VERDICT], CELL_MAX, "%s", diagnose_words[word]);
+    text_append(cells[CELL_VERDICT], CELL_MAX, "%s", diagnose_words[found->word]);
     diagnosis_read_as(&file->table, cells[CELL_READ_AS], CELL_MAX);
     text_append(cells[CELL_TIME_UP], CELL_MAX, "%s", found->time_up ? "true" : "false");
     text_append(cells[CELL_ROWS], CELL_MAX, "%zu", found->rows);
     if (found->verdict == DIAGNOSE_COPIED || found->verdict == DIAGNOSE_MUTE)
         return;
-    const bool named = word == WORD_MISTAKE || word == WORD_ONE_OF;
-    text_append(cells[CELL_SCHEME], CELL_MAX, "%s",
-                right   ? right->scheme
-                : named ? first->scheme
-                        : found->scheme);
-    text_append(cells[CELL_DIGITS], CELL_MAX, "%d",
-                right   ? right->digits
-                : named ? first->digits
-                        : found->digits);
-    text_append(cells[CELL_AGREED], CELL_MAX, "%zu", right ? right->rows : found->agreed);
+    text_append(cells[CELL_SCHEME], CELL_MAX, "%s", found->scheme);
+    text_append(cells[CELL_DIGITS], CELL_MAX, "%d", named ? first->digits : found->digits);
+    text_append(cells[CELL_AGREED], CELL_MAX, "%zu", found->agreed);
     for (int i = 0; i < found->n_explanations && i < DIAGNOSE_NAMED_MAX && named; i++)
         text_append(cells[CELL_MISTAKE], CELL_MAX, "%s%s", i > 0 ? " " : "", found->explanations[i].id);
-    if (word <= WORD_RIGHT_BUT || !departure->is)
+    if (found->verdict == DIAGNOSE_RIGHT || !departure->is)
         return;
     text_append(cells[CELL_STAGE], CELL_MAX, "%s",
                 named && *first->stage ? first->stage
@@ -383,7 +376,7 @@ int cli_diagnose(Options *options, Status *status)
         (all.files || status_fail(status, "out of memory")) && work_all(&all, status) && tell(&all, status);
     int judged = STATUS_DONE; /* the worst: a file that is not right is a check that failed */
     for (int i = 0; i < files && sound; i++)
-        if (diagnosis_word(&all.files[i].found, &all.files[i].table) > WORD_RIGHT_BUT)
+        if (all.files[i].found.word > WORD_RIGHT_BUT)
             judged = STATUS_FAILED;
     for (int i = 0; i < files && all.files; i++)
         diagnose_close(&all.files[i].table);
