@@ -21,11 +21,6 @@
 
 /* --- the list ------------------------------------------------------------------------------------------- */
 
-typedef struct List {
-    Candidate *out;
-    int count;
-} List;
-
 bool diagnose_is_of_plane(const Settings *settings)
 {
     return !(settings->problem->concerns & (CONCERN_BAR | CONCERN_POINT));
@@ -45,39 +40,30 @@ DiagnoseKind diagnose_kind(const Parameter *parameter)
                                                                 : DIAGNOSE_VALUE;
 }
 
-static void add(List *list, const Parameter *parameter, double value)
+static void add(Candidate *out, int *count, const Parameter *parameter, double value, int beside)
 {
-    if (list->count < CANDIDATES_MAX)
-        list->out[list->count++] = (Candidate){diagnose_kind(parameter), parameter, value, 0, NULL};
-}
-
-static void add_choices(List *list, const Settings *right, const Parameter *parameter)
-{
-    const int now = (int)settings_number(right, parameter);
-    const int count = parameter_in(parameter, right->problem).n_choices;
-    for (int i = 0; i < count; i++)
-        if (i != now)
-            add(list, parameter, i);
+    if (*count < CANDIDATES_MAX)
+        out[(*count)++] = (Candidate){diagnose_kind(parameter), parameter, value, beside, NULL};
 }
 
 /* The other sign, its neighbours, and the ends of a range that has two. */
-static void add_values(List *list, const Settings *right, const Parameter *parameter)
+static void add_values(Candidate *out, int *count, const Settings *right, const Parameter *parameter)
 {
     enum { NEIGHBOURS = 4 };
     const double now = settings_number(right, parameter);
     if (diagnose_is_share(parameter)) {
         for (int end = 0; end < 2; end++)
             if (now != end)
-                add(list, parameter, end);
+                add(out, count, parameter, end, 0);
         return;
     }
     if (parameter->type == PARAMETER_REAL && now != 0 && settings_in_range(parameter, right->problem, -now))
-        add(list, parameter, -now);
+        add(out, count, parameter, -now, 0);
     for (int direction = -1; direction <= 1; direction += 2) {
         Settings moved = *right;
         const int steps = parameter->nudge == NUDGE_DOUBLE ? 1 : NEIGHBOURS;
         for (int i = 0; i < steps && settings_nudge(&moved, parameter, direction, false); i++)
-            add(list, parameter, settings_number(&moved, parameter));
+            add(out, count, parameter, settings_number(&moved, parameter), 0);
     }
 }
 
@@ -89,31 +75,30 @@ bool diagnose_is_tried(const Settings *right, const Parameter *parameter)
            parameter_applies_to(right, parameter) && strncmp(parameter->key, "time.", 5) != 0;
 }
 
-int diagnose_candidates(const Settings *right, bool values, Candidate out[CANDIDATES_MAX])
+int diagnose_candidates(const Settings *right, DiagnoseListed what, Candidate out[CANDIDATES_MAX])
 {
-    List list = {out, 0};
-    for (int i = 0; i < n_parameters; i++)
-        if (diagnose_is_tried(right, &parameters[i]) && parameters[i].wrong)
-            add_choices(&list, right, &parameters[i]);
-    for (int i = 0; i < n_parameters && values; i++)
-        if (diagnose_is_tried(right, &parameters[i]) && !parameters[i].wrong &&
-            (parameters[i].type == PARAMETER_CHOICE || parameters[i].type == PARAMETER_FLAG))
-            add_choices(&list, right, &parameters[i]);
-    for (int i = 0; i < n_parameters && values; i++)
-        if (diagnose_is_tried(right, &parameters[i]) && parameters[i].nudge != NUDGE_NONE &&
-            (parameters[i].type == PARAMETER_REAL || parameters[i].type == PARAMETER_INTEGER))
-            add_values(&list, right, &parameters[i]);
-    return list.count;
-}
-
-int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX])
-{
+    enum { WRONG, CHOICES, NUMBERS, GROUPS };
     int count = 0;
-    for (int p = 0; p < n_parameters; p++)
-        if (diagnose_is_tried(right, &parameters[p]) && parameters[p].wrong)
-            for (int i = 1; i < parameter_in(&parameters[p], right->problem).n_choices; i++)
-                for (int k = 1; k < i && count < CANDIDATES_MAX; k++)
-                    out[count++] = (Candidate){DIAGNOSE_MISTAKE, &parameters[p], i, k, NULL};
+    for (int group = WRONG; group < (what == MISTAKES_AND_VALUES ? GROUPS : CHOICES); group++)
+        for (int i = 0; i < n_parameters; i++) {
+            const Parameter *parameter = &parameters[i];
+            const bool choice = parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG;
+            const int now = (int)settings_number(right, parameter),
+                      choices = parameter_in(parameter, right->problem).n_choices;
+            if (group != (parameter->wrong ? WRONG
+                          : choice         ? CHOICES
+                                           : NUMBERS) ||
+                !diagnose_is_tried(right, parameter))
+                continue;
+            if (group == NUMBERS && parameter->nudge != NUDGE_NONE)
+                add_values(out, &count, right, parameter);
+            for (int k = 0; k < choices && group != NUMBERS && what != PAIRS_OF_MISTAKES; k++)
+                if (k != now)
+                    add(out, &count, parameter, k, 0);
+            for (int k = 1; k < choices && what == PAIRS_OF_MISTAKES; k++)
+                for (int beside = 1; beside < k; beside++)
+                    add(out, &count, parameter, k, beside);
+        }
     return count;
 }
 
@@ -190,7 +175,8 @@ static bool add_scheme(Schemes *schemes, const Settings *settings, int choices, 
 static bool add_others(Schemes *schemes, const Settings *right, const DiagnoseTable *table)
 {
     Candidate *others = malloc(CANDIDATES_MAX * sizeof *others);
-    const int before = schemes->count, count = others ? diagnose_candidates(right, true, others) : 0;
+    const int before = schemes->count,
+              count = others ? diagnose_candidates(right, MISTAKES_AND_VALUES, others) : 0;
     bool sound = others != NULL;
     for (int i = 0; i < count && sound; i++) {
         Settings other;
@@ -407,57 +393,39 @@ enum { LOOK = 12, COLUMNS_MOST = 64 }; /* so many steps distinguish any two code
 
 /* One of two codes that run side by side. */
 typedef struct Code {
-    Settings settings;
     Simulation *sim;
-    const DiagnoseTable *table;
-    double *values; /* at the present step, [column][thing]: of the series, or of the file's set */
-    int columns;
+    int set;                               /* of the file */
+    const Quantity *columns[COLUMNS_MOST]; /* of the series, or of the file's set */
+    int n_columns;
     size_t things;
+    double *values; /* at the present step, [column][thing] */
 } Code;
 
-static const Quantity *column_of_code(const Code *code, int column)
+static bool open_code(Code *code, const Settings *settings, int set)
 {
-    const Simulation *sim = code->sim;
-    if (code->table->set < 0)
-        return &sim->series[column];
-    for (int f = 0; f < sim->n_fields; f++)
-        if (sim->fields[f].set == code->table->set && column-- == 0)
-            return &sim->fields[f].quantity;
-    ASSERT(false);
-    return NULL;
-}
-
-static bool open_code(Code *code)
-{
-    const int set = code->table->set;
-    strcpy(settings_edit_output(&code->settings)->columns, "all");
-    settings_edit_output(&code->settings)->follow[0] = '\0';
-    const Simulation *sim = code->sim = problem_simulate(&code->settings, 1, NULL);
-    if (!sim)
-        return false;
-    for (int f = 0; f < sim->n_fields && set >= 0; f++)
-        code->columns += sim->fields[f].set == set;
-    code->columns = set < 0 ? sim->n_series : code->columns;
-    code->things = set < 0 ? 1 : sim->counts[set];
-    code->values = malloc(((size_t)code->columns * code->things + 1) * sizeof *code->values);
-    return code->values && code->columns <= COLUMNS_MOST;
-}
-
-static void close_code(Code *code)
-{
-    simulation_destroy(code->sim);
-    free(code->values);
+    const Simulation *sim = code->sim = diagnose_simulate(settings, 1, NULL);
+    const int count = !sim ? 0 : set < 0 ? sim->n_series : sim->n_fields;
+    code->set = set;
+    for (int i = 0; i < count; i++) {
+        if (set >= 0 && sim->fields[i].set != set)
+            continue;
+        if (code->n_columns == COLUMNS_MOST)
+            return false;
+        code->columns[code->n_columns++] = set < 0 ? &sim->series[i] : &sim->fields[i].quantity;
+    }
+    code->things = set < 0 || !sim ? 1 : sim->counts[set];
+    code->values = malloc(((size_t)code->n_columns * code->things + 1) * sizeof *code->values);
+    return sim && code->values;
 }
 
 static void read_fields(Simulation *sim, void *context)
 {
     const Code *code = context;
-    const int set = code->table->set;
     double *values = code->values;
-    if (sim->sets[set].ready_after > 0)
-        simulation_make_ready(sim, set);
+    if (sim->sets[code->set].ready_after > 0)
+        simulation_make_ready(sim, code->set);
     for (int f = 0; f < sim->n_fields; f++)
-        if (sim->fields[f].set == set) {
+        if (sim->fields[f].set == code->set) {
             sim->method->field(sim, f, 0, code->things, values);
             values += code->things;
         }
@@ -466,12 +434,12 @@ static void read_fields(Simulation *sim, void *context)
 static bool read_code(Code *code)
 {
     Simulation *sim = code->sim;
-    if (code->table->set < 0)
-        simulation_row(sim, code->values);
-    else if (sim->sets[code->table->set].ready_after > 0)
+    if (code->set >= 0 && sim->sets[code->set].ready_after > 0)
         return simulation_visit(sim, NULL, read_fields, code);
-    else
+    if (code->set >= 0)
         read_fields(sim, code);
+    else
+        simulation_row(sim, code->values);
     return true;
 }
 
@@ -486,29 +454,31 @@ static const DiagnoseColumn *column_of_file(const DiagnoseTable *table, const ch
 
 /* The first column in which two codes differ at their present steps, with what numbers of its unit were at
  * most so far; `by_file`: of those that the file has, and to its digits. NULL: none. */
-static const char *difference(const Code codes[2], bool by_file, double most[COLUMNS_MOST])
+static const char *difference(const Code codes[2], const DiagnoseTable *table, bool by_file,
+                              double most[COLUMNS_MOST])
 {
     const Code *one = &codes[0], *two = &codes[1];
-    for (int c = 0; c < one->columns; c++)
-        for (size_t k = 0; k < one->things; k++)
-            most[c] = fmax(most[c], fabs(one->values[(size_t)c * one->things + k]));
-    for (int c = 0; c < one->columns; c++) {
-        const Quantity *quantity = column_of_code(one, c);
-        const DiagnoseColumn *written = column_of_file(one->table, quantity->name);
+    const size_t things = one->things;
+    for (int c = 0; c < one->n_columns; c++)
+        for (size_t k = 0; k < things; k++)
+            most[c] = fmax(most[c], fabs(one->values[(size_t)c * things + k]));
+    for (int c = 0; c < one->n_columns; c++) {
+        const Quantity *quantity = one->columns[c];
+        const DiagnoseColumn *written = column_of_file(table, quantity->name);
         double size = 0, least = 1e-9;
         int other = 0;
-        while (other < two->columns && strcmp(column_of_code(two, other)->name, quantity->name) != 0)
+        while (other < two->n_columns && strcmp(two->columns[other]->name, quantity->name) != 0)
             other++;
-        if (other == two->columns || (by_file && !written))
+        if (other == two->n_columns || (by_file && !written))
             continue;
-        for (int i = 0; i < one->columns; i++)
-            if (strcmp(column_of_code(one, i)->unit, quantity->unit) == 0)
+        for (int i = 0; i < one->n_columns; i++)
+            if (strcmp(one->columns[i]->unit, quantity->unit) == 0)
                 size = fmax(size, most[i]);
         if (by_file)
-            least = fmax(least, math_pow(10, 1 - one->table->file.columns[written->theirs].digits));
-        for (size_t k = 0; k < one->things; k++)
-            if (fabs(one->values[(size_t)c * one->things + k] -
-                     two->values[(size_t)other * one->things + k]) > least * size)
+            least = fmax(least, math_pow(10, 1 - table->file.columns[written->theirs].digits));
+        for (size_t k = 0; k < things; k++)
+            if (fabs(one->values[(size_t)c * things + k] - two->values[(size_t)other * things + k]) >
+                least * size)
                 return quantity->name;
     }
     return NULL;
@@ -518,24 +488,22 @@ static const char *difference(const Code codes[2], bool by_file, double most[COL
 static bool differ(const Settings *a, const Settings *b, const DiagnoseTable *table, bool by_file,
                    char name[OVERLAY_NAME_MAX])
 {
-    Code *codes = calloc(2, sizeof *codes);
+    Code codes[2] = {{.sim = NULL}, {.sim = NULL}};
     double most[COLUMNS_MOST] = {0};
     const char *found = NULL;
-    if (!codes)
-        return false;
-    codes[0] = (Code){.settings = *a, .table = table};
-    codes[1] = (Code){.settings = *b, .table = table};
-    bool goes_on = open_code(&codes[0]) && open_code(&codes[1]) && codes[0].things == codes[1].things;
+    bool goes_on = open_code(&codes[0], a, table->set) && open_code(&codes[1], b, table->set) &&
+                   codes[0].things == codes[1].things;
     for (int step = 0; step < LOOK && goes_on && !found; step++) {
         goes_on = read_code(&codes[0]) && read_code(&codes[1]);
-        found = goes_on ? difference(codes, by_file, most) : NULL;
+        found = goes_on ? difference(codes, table, by_file, most) : NULL;
         goes_on = goes_on && simulation_steps(codes[0].sim, 1, NULL, NULL, NULL) &&
                   simulation_steps(codes[1].sim, 1, NULL, NULL, NULL);
     }
     snprintf(name, OVERLAY_NAME_MAX, "%s", found ? found : "");
-    close_code(&codes[0]);
-    close_code(&codes[1]);
-    free(codes);
+    for (int i = 0; i < 2; i++) {
+        simulation_destroy(codes[i].sim);
+        free(codes[i].values);
+    }
     return *name;
 }
 

@@ -50,7 +50,8 @@ static bool is_copy(const Search *search, int c, const double *answers)
         return false; /* a run may keep momentum exactly */
     for (size_t row = 0; row < rows_of(table); row++) {
         const double theirs = diagnose_theirs(table, column, row);
-        const double bound = diagnose_bound(table, column, theirs, column->natural, 0);
+        const double bound =
+            diagnose_rounding(table, column, theirs) + diagnose_noise(table, column->natural, 0);
         const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
         if (isnan(theirs))
             continue;

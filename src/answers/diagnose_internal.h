@@ -10,23 +10,26 @@
 
 typedef struct TimeSettings TimeSettings; /* scenario/concern_time.h, which few of them need */
 
+/* Fewer entries can be had with any value, or with two mistakes of some. */
+enum { DIAGNOSE_ENTRIES_LEAST = 3 };
+
 /* A walk along a run, as far as the file or `moments` go. */
 typedef struct Walk {
     const DiagnoseTable *table;
-    size_t moments;      /* of the table, at most */
+    size_t moments;      /* of the table, at most; 0: all */
     bool to_end;         /* it goes on where it departs */
     double *values;      /* ours, [row][column]; NULL: they are not kept */
     const double *grown; /* what round-off has grown to, [moment][group of columns]; NULL: it is not known */
 
     /* what it comes to */
-    size_t compared;                    /* moments that the run reached */
-    size_t agreed;                      /* of them, from the first on */
-    size_t entries;                     /* that were compared and agreed, up to there */
-    size_t departing;                   /* entries that depart (to_end) */
-    double worst;                       /* largest difference of those that agree, over their column's size */
-    double farthest;                    /* likewise of all (to_end) */
-    double beyond;                      /* of those that agree the largest beyond the digits written, */
-    size_t off_digits;                  /* and how many are */
+    size_t compared;   /* moments that the run reached */
+    size_t agreed;     /* of them, from the first on */
+    size_t entries;    /* that were compared and agreed, up to there */
+    size_t departing;  /* entries that depart (to_end) */
+    double worst;      /* largest difference of those that agree, over their column's size */
+    double farthest;   /* likewise of all (to_end) */
+    size_t off_digits; /* how many of those that agree are off by more than the digits written, */
+    double beyond;     /* and by how much; a last digit or two may be rounded the other way */
     double most[DIAGNOSE_COLUMNS_MAX];  /* of each column the largest number, */
     double off[DIAGNOSE_COLUMNS_MAX];   /* and the largest difference beyond the digits written */
     bool departs[DIAGNOSE_COLUMNS_MAX]; /* columns that depart anywhere (to_end) */
@@ -36,14 +39,22 @@ typedef struct Walk {
 } Walk;
 
 /* False: the walk was given up, or the run cannot be made; the status says why. */
-bool diagnose_walk(Walk *, const Settings *, int threads, Cancel, Status *);
+bool diagnose_walk(Walk *, const DiagnoseTask *, const Settings *, Status *);
+
+/* Room for the values of a walk, all NAN; the caller frees it. NULL: there is no memory. */
+double *diagnose_room(const DiagnoseTable *);
+
+/* The first entry that departs; what was before it is not known. */
+Departure diagnose_departure(const DiagnoseTable *, size_t moment, size_t row, int column, double theirs,
+                             double ours);
 
 /* A unit of the last digit with which a number of a column of the file is written. */
 double diagnose_last_digit(const OverlayColumn *, double number);
 
-/* The information in an entry of a column at a step: half a unit of its last digit, or the round-off of
- * numbers of that size. */
-double diagnose_bound(const DiagnoseTable *, const DiagnoseColumn *, double theirs, double size, long step);
+/* The information in an entry of a column at a step: half a unit of its last digit, in our units, and the
+ * round-off of two right codes, as a share of the size of such numbers. */
+double diagnose_rounding(const DiagnoseTable *, const DiagnoseColumn *, double theirs);
+double diagnose_noise(const DiagnoseTable *, double size, long step);
 
 /* Gives settings the time step of the file. False: they do not allow it; the status may say why. */
 bool diagnose_hold_step(Settings *, double dt, Status *);
@@ -53,6 +64,9 @@ double diagnose_theirs(const DiagnoseTable *, const DiagnoseColumn *, size_t row
 
 /* What is to be said of the table; more than it has room for is dropped. */
 void diagnose_note(DiagnoseTable *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* A run with all columns of the series, and none of one thing. NULL: there is none; the status says why. */
+Simulation *diagnose_simulate(const Settings *, int threads, Status *);
 
 /* What numbers like a quantity's are at most at the start; `row`: of the series there. Displacements are
  * sized among themselves, but a code may have them as differences of places. */
@@ -71,10 +85,6 @@ typedef struct Candidate {
     const TimeSettings *own_step; /* it makes its own time step, as these say; NULL: it has the file's */
 } Candidate;
 
-enum { CANDIDATES_MAX = 1200 };
-/* Every two mistakes. */
-int diagnose_pairs(const Settings *right, Candidate out[CANDIDATES_MAX]);
-
 bool diagnose_is_of_plane(const Settings *);                 /* where a run takes long */
 bool diagnose_is_tried(const Settings *, const Parameter *); /* whether codes may differ in it */
 bool diagnose_is_share(const Parameter *);                   /* whether it is any number from 0 to 1 */
@@ -82,7 +92,10 @@ bool diagnose_is_share(const Parameter *);                   /* whether it is an
 /* What another value of a parameter is: a mistake; a right code's, by another choice or share of the scheme
  * (mpm., pd.); or a wrong value. */
 DiagnoseKind diagnose_kind(const Parameter *);
-int diagnose_candidates(const Settings *, bool values, Candidate out[CANDIDATES_MAX]);
+
+enum { CANDIDATES_MAX = 1200 };
+typedef enum DiagnoseListed { MISTAKES, MISTAKES_AND_VALUES, PAIRS_OF_MISTAKES } DiagnoseListed;
+int diagnose_candidates(const Settings *right, DiagnoseListed, Candidate out[CANDIDATES_MAX]);
 
 /* A right code: the scenario's, or by other choices of its scheme. */
 typedef struct DiagnoseScheme {

@@ -466,13 +466,10 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
 {
     DiagnoseTable *table = trials->search->table;
     const DiagnoseTable begun = *table;
-    Settings asked = *settings;
     if (trials->count == TRIALS_MAX || diagnose_time_is_up(trials->search) ||
         !diagnose_read_as(table, reading))
         return true;
-    strcpy(settings_edit_output(&asked)->columns, "all");
-    settings_edit_output(&asked)->follow[0] = '\0';
-    Simulation *sim = problem_simulate(&asked, trials->search->task->threads, NULL);
+    Simulation *sim = diagnose_simulate(settings, trials->search->task->threads, NULL);
     bool sound = true;
     for (int c = 0; c < table->n_columns && sim && sound; c++)
         sound = trials->nodes ? find_nodes(table, &table->columns[c], sim, &trials->sources[c])

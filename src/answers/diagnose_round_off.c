@@ -6,7 +6,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,28 +119,26 @@ static size_t growth(const DiagnoseTable *table, size_t moments, const double *o
 double *diagnose_grown(const Search *search, const Settings *settings, size_t *moments, bool *stopped)
 {
     const DiagnoseTable *table = search->table;
-    const size_t entries = table->file.count * (size_t)table->n_columns;
-    double *values[2] = {malloc((entries + 1) * sizeof(double)), malloc((entries + 1) * sizeof(double))};
-    double *grown = calloc(entries + 1, sizeof *grown);
     Settings twin = *settings;
     const Settings *both[2] = {settings, &twin};
+    double *values[2] = {diagnose_room(table), diagnose_room(table)};
+    double *grown = calloc(table->file.count * (size_t)table->n_columns + 1, sizeof *grown);
     bool known = values[0] && values[1] && grown && disturb(&twin);
     *moments = table->n_moments;
     for (int i = 0; i < 2 && known; i++) {
-        for (size_t k = 0; k < entries; k++)
-            values[i][k] = NAN;
-        Walk one = {.table = table, .moments = SIZE_MAX, .to_end = true, .values = values[i]};
-        diagnose_walk(&one, both[i], search->task->threads, search->task->cancel, NULL);
-        *stopped = *stopped || one.stopped;
-        *moments = one.compared < *moments ? one.compared : *moments;
-        known = !one.stopped && one.compared > 0;
+        Walk walk = {.table = table, .to_end = true, .values = values[i]};
+        diagnose_walk(&walk, search->task, both[i], NULL);
+        *stopped = *stopped || walk.stopped;
+        *moments = walk.compared < *moments ? walk.compared : *moments;
+        known = !walk.stopped && walk.compared > 0;
     }
     if (known)
         *moments = growth(table, *moments, values[0], values[1], grown);
+    else {
+        free(grown);
+        grown = NULL;
+    }
     free(values[0]);
     free(values[1]);
-    if (known)
-        return grown;
-    free(grown);
-    return NULL;
+    return grown;
 }

@@ -35,8 +35,7 @@ double diagnose_last_digit(const OverlayColumn *column, double number)
     return math_pow(10, fmax(place, floor(math_log10(fabs(number))) - fmin(column->digits, 17) + 1));
 }
 
-/* Half a unit of the last digit of an entry, in our units. */
-static double rounding_of(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs)
+double diagnose_rounding(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs)
 {
     ASSERT_INDEX(column->theirs, table->file.n_columns);
     ASSERT(column->factor != 0);
@@ -44,16 +43,26 @@ static double rounding_of(const DiagnoseTable *table, const DiagnoseColumn *colu
     return 0.51 * diagnose_last_digit(written, theirs / column->factor) * fabs(column->factor);
 }
 
-/* The round-off of two right codes is a share of a column's size. */
-static double bound_of(const DiagnoseTable *table, double rounding, double size, long step)
+double diagnose_noise(const DiagnoseTable *table, double size, long step)
 {
-    return rounding + table->noise * (1 + table->noise_growth * (double)step) * size;
+    return table->noise * (1 + table->noise_growth * (double)step) * size;
 }
 
-double diagnose_bound(const DiagnoseTable *table, const DiagnoseColumn *column, double theirs, double size,
-                      long step)
+Departure diagnose_departure(const DiagnoseTable *table, size_t moment, size_t row, int column, double theirs,
+                             double ours)
 {
-    return bound_of(table, rounding_of(table, column, theirs), size, step);
+    const DiagnoseMoment *at = &table->moments[moment];
+    return (Departure){.is = true,
+                       .moment = moment,
+                       .row = row,
+                       .step = at->step,
+                       .stage = at->stage,
+                       .thing = table->things[row],
+                       .column = column,
+                       .theirs = theirs,
+                       .ours = ours,
+                       .theirs_before = NAN,
+                       .ours_before = NAN};
 }
 
 /* --- on the way ----------------------------------------------------------------------------------------- */
@@ -75,21 +84,12 @@ static void depart(Walker *walker, size_t row, int column, double theirs, double
     const DiagnoseMoment *moment = &table->moments[walker->moment];
     walk->departing++;
     walk->departs[column] = true;
-    if (!walk->departure.is)
-        walk->departure = (Departure){.is = true,
-                                      .moment = walker->moment,
-                                      .row = row,
-                                      .step = moment->step,
-                                      .stage = moment->stage,
-                                      .thing = table->things[row],
-                                      .column = column,
-                                      .theirs = theirs,
-                                      .ours = ours,
-                                      .theirs_before = NAN,
-                                      .ours_before = NAN};
-    if (walk->departing == 1 && walker->moment > 0 && moment->step == moment[-1].step + 1)
-        walk->jump = fabs(theirs - ours) / walker->size[table->columns[column].group];
     walker->done = !walk->to_end;
+    if (walk->departure.is)
+        return;
+    walk->departure = diagnose_departure(table, walker->moment, row, column, theirs, ours);
+    if (walker->moment > 0 && moment->step == moment[-1].step + 1)
+        walk->jump = fabs(theirs - ours) / walker->size[table->columns[column].group];
 }
 
 static void compare(Walker *walker, size_t row, int c, double ours)
@@ -114,10 +114,10 @@ static void compare(Walker *walker, size_t row, int c, double ours)
         walk->grown ? walk->grown[walker->moment * (size_t)table->n_columns + (size_t)column->group] : 0;
     if (*size > 0)
         walk->farthest = fmax(walk->farthest, difference / *size);
-    const double rounding = rounding_of(table, column, theirs);
+    const double rounding = diagnose_rounding(table, column, theirs);
     walk->most[c] = fmax(walk->most[c], fabs(theirs));
     walk->off[c] = fmax(walk->off[c], difference - rounding);
-    if (difference > grown + bound_of(table, rounding, *size, table->moments[walker->moment].step))
+    if (difference > grown + rounding + diagnose_noise(table, *size, table->moments[walker->moment].step))
         depart(walker, row, c, theirs, ours);
     else if (!walk->departure.is) {
         walk->entries++;
@@ -148,14 +148,6 @@ static void compare_things(Walker *walker, Simulation *sim)
     }
 }
 
-static void compare_series(Walker *walker, Simulation *sim)
-{
-    const DiagnoseTable *table = walker->walk->table;
-    simulation_row(sim, walker->row);
-    for (int c = 0; c < table->n_columns && !walker->done; c++)
-        compare(walker, table->moments[walker->moment].first, c, walker->row[walker->ours[c]]);
-}
-
 /* As a table has them that is written at whole steps. */
 static void compare_later(Simulation *sim, void *context)
 {
@@ -164,15 +156,21 @@ static void compare_later(Simulation *sim, void *context)
     compare_things(walker, sim);
 }
 
-static bool compare_moment(Walker *walker, Simulation *sim)
+/* The state of the next moment. False: nothing more is compared. */
+static bool take_state(void *owner, Run *run, Status *status)
 {
+    Walker *walker = owner;
     Walk *walk = walker->walk;
-    const int set = walk->table->set;
-    if (set < 0)
-        compare_series(walker, sim);
-    else if (walk->table->of_stages || sim->sets[set].ready_after == 0)
-        compare_things(walker, sim);
-    else if (!simulation_visit(sim, NULL, compare_later, walker))
+    const DiagnoseTable *table = walk->table;
+    const int set = table->set;
+    (void)status;
+    if (set < 0) {
+        simulation_row(run->sim, walker->row);
+        for (int c = 0; c < table->n_columns && !walker->done; c++)
+            compare(walker, table->moments[walker->moment].first, c, walker->row[walker->ours[c]]);
+    } else if (table->of_stages || run->sim->sets[set].ready_after == 0)
+        compare_things(walker, run->sim);
+    else if (!simulation_visit(run->sim, NULL, compare_later, walker))
         walk->stopped = true;
     walk->agreed += !walk->departure.is;
     walk->compared++;
@@ -189,28 +187,28 @@ static long next_moment(const void *owner, long step)
     return walker->moment < walk->moments ? walk->table->moments[walker->moment].step : LONG_MAX;
 }
 
-static bool take_state(void *owner, Run *run, Status *status)
-{
-    (void)status;
-    return compare_moment(owner, run->sim);
-}
-
 /* Stages of a step may come in another order by another scheme. */
 static bool take_stage(void *owner, Run *run, long step, int stage, Status *status)
 {
     Walker *walker = owner;
     const DiagnoseTable *table = walker->walk->table;
+    const DiagnoseMoment *next = &table->moments[walker->moment],
+                         *end = &table->moments[walker->walk->moments];
     const int number = table->stages_by_id ? walker->stage_of[stage - 1] : stage;
-    (void)status;
-    while (walker->moment < walker->walk->moments && table->moments[walker->moment].step == step &&
-           table->moments[walker->moment].stage < number && number > 0)
-        walker->moment++; /* it has no such stage, or has it later */
-    if (walker->moment >= walker->walk->moments) {
-        walker->done = true;
-        return false;
-    }
-    return table->moments[walker->moment].step != step || table->moments[walker->moment].stage != number ||
-           compare_moment(walker, run->sim);
+    while (next < end && next->step == step && next->stage < number)
+        next++; /* it has no such stage, or has it later */
+    walker->moment = (size_t)(next - table->moments);
+    walker->done = next == end;
+    return !walker->done && (next->step != step || next->stage != number || take_state(owner, run, status));
+}
+
+double *diagnose_room(const DiagnoseTable *table)
+{
+    const size_t entries = table->file.count * (size_t)table->n_columns;
+    double *values = malloc((entries + 1) * sizeof *values);
+    for (size_t i = 0; values && i < entries; i++)
+        values[i] = NAN;
+    return values;
 }
 
 /* --- a run ---------------------------------------------------------------------------------------------- */
@@ -234,7 +232,7 @@ static bool find_columns(Walker *walker, const Simulation *sim)
     return table->set < 0 || table->set < sim->n_sets;
 }
 
-static bool go(Walker *walker, Run *run, Status *status)
+static void go(Walker *walker, Run *run, Status *status)
 {
     Walk *walk = walker->walk;
     const DiagnoseTable *table = walk->table;
@@ -244,54 +242,46 @@ static bool go(Walker *walker, Run *run, Status *status)
     const Sink *sink = table->of_stages ? &stages : &states;
     if (!run->settings->problem->end_matters || last < run->last)
         run->last = last;
-    if (run_start(run, sink, status) && run_to_end(run, sink, status) && !walker->done)
-        walk->stopped = walk->stopped || cancel_requested(&run->cancel, 1);
-    else
-        walk->stopped = walk->stopped || !(run->failed || walker->done);
+    const bool to_end = run_start(run, sink, status) && run_to_end(run, sink, status) && !walker->done;
     walk->failed = run->failed;
-    return !walk->stopped;
+    walk->stopped =
+        walk->stopped || (to_end ? cancel_requested(&run->cancel, 1) : !run->failed && !walker->done);
 }
 
-static bool make_room(Walker *walker, const Simulation *sim, Status *status)
+bool diagnose_walk(Walk *walk, const DiagnoseTask *task, const Settings *settings, Status *status)
 {
-    const int set = walker->walk->table->set;
-    walker->row = malloc(((size_t)sim->n_series + 1) * sizeof *walker->row);
-    walker->field = malloc(((set < 0 ? 0 : sim->counts[set]) + 1) * sizeof *walker->field);
-    return (walker->row && walker->field) || status_fail(status, "out of memory");
-}
-
-bool diagnose_walk(Walk *walk, const Settings *settings, int threads, Cancel cancel, Status *status)
-{
+    const DiagnoseTable *table = walk->table;
     Settings asked = *settings;
+    Output *output = settings_edit_output(&asked);
     Run run;
     Walker walker = {.walk = walk};
-    const Walk given = *walk;
-    *walk = (Walk){.table = given.table,
-                   .moments = given.moments < given.table->n_moments ? given.moments : given.table->n_moments,
-                   .to_end = given.to_end,
-                   .values = given.values,
-                   .grown = given.grown};
-    settings_edit_output(&asked)->columns[0] = settings_edit_output(&asked)->follow[0] = '\0';
-    for (int c = 0; c < walk->table->n_columns && walk->table->set < 0; c++)
-        if (*walk->table->columns[c].point)
-            text_list_add(settings_edit_output(&asked)->follow, sizeof settings_output(&asked)->follow,
-                          walk->table->columns[c].point);
-        else if (strlen(settings_output(&asked)->columns) + strlen(walk->table->columns[c].name) + 3 <
-                 sizeof settings_output(&asked)->columns)
-            text_list_add(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns,
-                          walk->table->columns[c].name);
-    bool sound = run_open(&run, &asked, problem_simulate(&asked, threads, status), status);
-    run.cancel = cancel;
-    if (sound && find_columns(&walker, run.sim))
-        sound = make_room(&walker, run.sim, status) && go(&walker, &run, status);
-    else if (sound)
+    Status why = {STATUS_DONE, ""};
+    if (walk->moments == 0 || walk->moments > table->n_moments)
+        walk->moments = table->n_moments;
+    output->columns[0] = output->follow[0] = '\0';
+    for (int c = 0; c < table->n_columns && table->set < 0; c++)
+        if (*table->columns[c].point)
+            text_list_add(output->follow, sizeof output->follow, table->columns[c].point);
+        else if (strlen(output->columns) + strlen(table->columns[c].name) + 3 < sizeof output->columns)
+            text_list_add(output->columns, sizeof output->columns, table->columns[c].name);
+    bool sound = run_open(&run, &asked, problem_simulate(&asked, task->threads, &why), &why);
+    run.cancel = task->cancel;
+    if (sound && find_columns(&walker, run.sim)) {
+        walker.row = malloc(((size_t)run.sim->n_series + 1) * sizeof *walker.row);
+        walker.field =
+            malloc(((table->set < 0 ? 0 : run.sim->counts[table->set]) + 1) * sizeof *walker.field);
+        sound = (walker.row && walker.field) || status_fail(&why, "out of memory");
+        if (sound)
+            go(&walker, &run, &why);
+    } else if (sound)
         walk->departure.is = true;
-    if (walk->stopped && status && status->code == STATUS_DONE)
-        status_fail(status, "interrupted");
+    if (walk->stopped && why.code == STATUS_DONE)
+        status_fail(&why, "interrupted");
+    walk->beyond = walk->off_digits < DIAGNOSE_ENTRIES_LEAST ? 0 : walk->beyond;
     run_close(&run);
     free(walker.row);
     free(walker.field);
-    return sound;
+    return (sound && !walk->stopped) || status_take(status, &why);
 }
 
 bool diagnose_hold_step(Settings *settings, double dt, Status *status)

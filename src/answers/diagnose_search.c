@@ -23,42 +23,35 @@
 /* It may end by itself; numbers of the file that go on depart there. */
 static bool walk_right(Search *search)
 {
-    Status why = {STATUS_DONE, ""};
-    search->walk = (Walk){.table = search->table,
-                          .moments = SIZE_MAX,
-                          .to_end = true,
-                          .values = search->values,
-                          .grown = search->grown};
-    const bool sound =
-        diagnose_walk(&search->walk, &search->right, search->task->threads, search->task->cancel, &why);
-    if (!sound && search->status)
-        *search->status = why;
     const DiagnoseTable *table = search->table;
     Walk *walk = &search->walk;
-    if (sound && walk->failed && !walk->departure.is && walk->compared < table->n_moments) {
-        const DiagnoseMoment *next = &table->moments[walk->compared];
-        const double theirs = diagnose_theirs(table, &table->columns[0], next->first);
+    *walk = (Walk){.table = table, .to_end = true, .values = search->values, .grown = search->grown};
+    if (!diagnose_walk(walk, search->task, &search->right, search->status))
+        return false;
+    if (walk->failed && !walk->departure.is && walk->compared < table->n_moments) {
+        const size_t row = table->moments[walk->compared].first;
+        const double theirs = diagnose_theirs(table, &table->columns[0], row);
         if (isfinite(theirs))
-            walk->departure = (Departure){.is = true,
-                                          .moment = walk->compared,
-                                          .row = next->first,
-                                          .step = next->step,
-                                          .stage = next->stage,
-                                          .thing = table->things[next->first],
-                                          .theirs = theirs,
-                                          .ours = NAN,
-                                          .theirs_before = NAN,
-                                          .ours_before = NAN};
+            walk->departure = diagnose_departure(table, walk->compared, row, 0, theirs, NAN);
     }
-    return sound;
+    return true;
 }
 
-/* Where the file departs it may do so by no more than round-off does that grows, as at a node that hardly has
- * mass. Rows in which that is as large as the numbers have no information. */
-static bool walk_with_round_off(Search *search)
+/* Walks along the right run once to see what the columns are worth, then beside those that are left. Where
+ * the file departs it may do so by no more than round-off does that grows, as at a node that hardly has mass.
+ * Rows in which that is as large as the numbers have no information. */
+static bool read_columns(Search *search)
 {
     size_t moments;
     bool stopped = false;
+    if (!walk_right(search) || !diagnose_judge_columns(search))
+        return false;
+    if (search->found->verdict != DIAGNOSE_UNKNOWN)
+        return true;
+    if (!walk_right(search))
+        return false;
+    if (!search->walk.departure.is)
+        return true;
     search->grown = diagnose_grown(search, &search->right, &moments, &stopped);
     if (stopped)
         return status_fail(search->status, "interrupted");
@@ -72,42 +65,30 @@ static bool walk_with_round_off(Search *search)
     return walk_right(search);
 }
 
-static bool read_columns(Search *search)
-{
-    if (!walk_right(search) || !diagnose_judge_columns(search))
-        return false;
-    return search->found->verdict != DIAGNOSE_UNKNOWN ||
-           (walk_right(search) && (!search->walk.departure.is || walk_with_round_off(search)));
-}
-
 static int digits_of(const Search *search, double worst)
 {
     const double digits = worst > 0 ? floor(-math_log10(worst)) : 17;
     return (int)fmax(0, fmin(fmin(digits, diagnose_digits_written(search->table)), 16));
 }
 
-/* The row of the same thing before. */
-static void look_back(Search *search)
-{
-    const DiagnoseTable *table = search->table;
-    Departure *departure = &search->found->departure;
-    const DiagnoseColumn *column = &table->columns[departure->column];
-    for (size_t row = table->moments[departure->moment].first; row-- > 0;)
-        if (table->things[row] == departure->thing) {
-            departure->theirs_before = diagnose_theirs(table, column, row);
-            departure->ours_before =
-                search->values[row * (size_t)table->n_columns + (size_t)departure->column];
-            return;
-        }
-}
-
+/* Names the factors by which the file departs, from what is right and, since the row of the same thing
+ * before, from its change; and the columns that do not depart. */
 static void name_departure(Search *search)
 {
     const DiagnoseTable *table = search->table;
-    Departure *departure = &search->found->departure;
+    Diagnosis *found = search->found;
+    Departure *departure = &found->departure;
     const DiagnoseColumn *column = &table->columns[departure->column];
-    const double bound = diagnose_bound(table, column, departure->theirs, column->natural, departure->step);
-    look_back(search);
+    const double bound = diagnose_rounding(table, column, departure->theirs) +
+                         diagnose_noise(table, column->natural, departure->step);
+    size_t before = table->moments[departure->moment].first;
+    while (before > 0 && table->things[before - 1] != departure->thing)
+        before--;
+    if (before-- > 0) {
+        departure->theirs_before = diagnose_theirs(table, column, before);
+        departure->ours_before =
+            search->values[before * (size_t)table->n_columns + (size_t)departure->column];
+    }
     if (departure->ours != 0 && isfinite(departure->theirs))
         diagnose_name_factor(departure->theirs / departure->ours, 1e-12 + 2 * bound / fabs(departure->ours),
                              &search->right, departure->factors, sizeof departure->factors);
@@ -118,23 +99,14 @@ static void name_departure(Search *search)
                              sizeof departure->change_factors);
     for (int c = 0; c < table->n_columns; c++)
         if (!table->columns[c].silent && !search->walk.departs[c] && !diagnose_is_still(search, c))
-            text_list_add(search->found->agreeing, sizeof search->found->agreeing, table->columns[c].name);
-    search->found->farthest = search->walk.farthest;
+            text_list_add(found->agreeing, sizeof found->agreeing, table->columns[c].name);
+    found->farthest = search->walk.farthest;
     departure->row = table->rows[departure->row] + 1;
     if (departure->stage > 0)
         departure->stage_id = table->stage_ids[departure->stage - 1];
 }
 
 /* --- other codes ---------------------------------------------------------------------------------------- */
-
-/* Fewer can be had with any value, or with two mistakes of some. */
-enum { ENTRIES_LEAST = 3 };
-
-/* A last digit or two may be rounded the other way. */
-static double beyond_of(const Walk *walk)
-{
-    return walk->off_digits < ENTRIES_LEAST ? 0 : walk->beyond;
-}
 
 /* A code that agrees takes its place among those found. */
 static void keep(Search *search, const Candidate *candidate, const Settings *wrong, const Walk *walk)
@@ -151,7 +123,7 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         if (strcmp(found->explanations[i].id, explanation->id) == 0) /* by another scheme */
             return;
     explanation->digits = digits_of(search, walk->worst);
-    explanation->beyond = beyond_of(walk);
+    explanation->beyond = walk->beyond;
     for (size_t m = 0; m < walk->compared; m++)
         explanation->rows += search->table->moments[m].count;
     explanation->grown = walk->failed || walk->moments < search->table->n_moments;
@@ -160,29 +132,14 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
         search->of_first = search->right;
         return;
     }
-    if (found->n_explanations > DIAGNOSE_NAMED_MAX + 1) /* which are not printed */
-        return;
-    diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
-}
-
-/* Entries that agree with the right code of the scheme whose mistakes are tried, which is run when they are
- * first asked for. */
-static size_t own_entries(Search *search)
-{
-    if (!search->own_is_known) {
-        Walk walk = {.table = search->table, .moments = SIZE_MAX, .grown = search->grown};
-        search->found->tried++;
-        diagnose_walk(&walk, &search->right, search->task->threads, search->task->cancel, NULL);
-        search->own = walk.entries;
-        search->own_is_known = true;
-    }
-    return search->own;
+    if (found->n_explanations <= DIAGNOSE_NAMED_MAX + 1) /* others are not printed */
+        diagnose_tell_apart(wrong, &search->by_first, search->table, explanation);
 }
 
 /* Whether a run that fails, or in which round-off grows, explains more than chance does of where the right
- * ones depart, the scenario's and that of its own scheme: by the digits of all these entries, but for those
- * that a value was fitted to. Many codes share the start; a right code does not end where the file goes on.
- */
+ * ones depart, the scenario's and that of its own scheme, which is run when it is first asked for: by the
+ * digits of all these entries, but for those that a value was fitted to. Many codes share the start; a right
+ * code does not end where the file goes on. */
 static bool is_beyond_chance(Search *search, const Candidate *candidate, const Walk *walk)
 {
     enum { DIGITS = 11 }; /* some 1e5 codes are tried */
@@ -192,9 +149,18 @@ static bool is_beyond_chance(Search *search, const Candidate *candidate, const W
                  right = search->walk.entries, before = right > start ? right : start,
                  least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1) +
                          (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
-    return (candidate->kind != DIAGNOSE_SCHEME || 2 * walk->compared >= table->n_moments) &&
-           walk->entries >= before + least &&
-           (candidate->kind == DIAGNOSE_SCHEME || walk->entries >= own_entries(search) + least);
+    if (walk->entries < before + least)
+        return false;
+    if (candidate->kind == DIAGNOSE_SCHEME)
+        return 2 * walk->compared >= table->n_moments;
+    if (!search->own_is_known) {
+        Walk own = {.table = table, .grown = search->grown};
+        search->found->tried++;
+        diagnose_walk(&own, search->task, &search->right, NULL);
+        search->own = own.entries;
+        search->own_is_known = true;
+    }
+    return walk->entries >= search->own + least;
 }
 
 /* Whether numbers far below those of their unit agree by more than being as small. */
@@ -217,152 +183,115 @@ static bool try_again(Search *search, const Candidate *candidate, const Settings
     double *grown = diagnose_grown(search, wrong, &moments, &stopped);
     if (grown && moments > search->walk.departure.moment) {
         *walk = (Walk){.table = search->table, .moments = moments, .grown = grown};
-        diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, NULL);
+        diagnose_walk(walk, search->task, wrong, NULL);
         stopped = walk->stopped;
         *agrees = !stopped && !walk->departure.is && is_alike(search->table, walk) &&
                   is_beyond_chance(search, candidate, walk);
-        walk->grown = NULL;
     }
     free(grown);
     return !stopped || status_fail(search->status, "interrupted");
 }
 
-/* False: it was given up. */
-static bool try_one(Search *search, const Candidate *candidate, Walk *walk, Settings *wrong, bool *agrees)
+/* Keeps a code that agrees: beyond where the right one departs, by more than chance where it fails, or as far
+ * as the right one does. One that makes its own time step has to make the file's. False: it was given up. */
+static bool try_one(Search *search, const Candidate *candidate)
 {
-    *agrees = false;
-    *walk = (Walk){.table = search->table, .moments = SIZE_MAX, .grown = search->grown};
-    if (diagnose_time_is_up(search) || !diagnose_settings_of(candidate, &search->right, search->table, wrong))
-        return true;
+    const DiagnoseTable *table = search->table;
+    const Walk *right = &search->walk;
+    Walk walk = {.table = table, .grown = search->grown};
+    Settings wrong;
     Status why = {STATUS_DONE, ""};
+    double dt;
+    if (diagnose_time_is_up(search) || !diagnose_settings_of(candidate, &search->right, table, &wrong))
+        return true;
     search->found->tried++;
-    if (!diagnose_walk(walk, wrong, search->task->threads, search->task->cancel, &why) && walk->stopped) {
-        if (search->status)
-            *search->status = why;
-        return false;
+    if (!diagnose_walk(&walk, search->task, &wrong, &why) && walk.stopped)
+        return status_take(search->status, &why);
+    bool agrees = !walk.departure.is && walk.entries > 0;
+    if (!right->departure.is)
+        agrees = agrees && walk.compared >= right->compared;
+    else {
+        agrees = agrees && is_alike(table, &walk) && walk.compared > right->departure.moment &&
+                 (!walk.failed || is_beyond_chance(search, candidate, &walk));
+        if (!agrees && !search->nearer && candidate->kind != DIAGNOSE_VALUE && !(walk.jump > 1e-3) &&
+            is_beyond_chance(search, candidate, &walk) &&
+            !try_again(search, candidate, &wrong, &walk, &agrees))
+            return false;
     }
-    walk->grown = NULL;
-    /* it has to agree beyond where the right one departs, by more than chance where it fails, or as far as
-     * the right one does */
-    const bool departs = search->walk.departure.is;
-    const size_t shown = departs ? search->walk.departure.moment : 0;
-    *agrees = !walk->departure.is && walk->entries > 0 &&
-              (departs ? is_alike(search->table, walk) && walk->compared > shown &&
-                             (!walk->failed || is_beyond_chance(search, candidate, walk))
-                       : walk->compared >= search->walk.compared);
-    return *agrees || !departs || search->nearer || candidate->kind == DIAGNOSE_VALUE || walk->jump > 1e-3 ||
-           !is_beyond_chance(search, candidate, walk) || try_again(search, candidate, wrong, walk, agrees);
-}
-
-static bool has_value(const Diagnosis *found, const Parameter *parameter)
-{
-    for (int i = 0; i < found->n_explanations; i++)
-        if (found->explanations[i].kind != DIAGNOSE_MISTAKE &&
-            strncmp(found->explanations[i].id, parameter->key, strlen(parameter->key)) == 0)
-            return true;
-    return false;
-}
-
-/* A factor of few digits: a slip, not a fit. */
-static bool is_round(double factor, const Settings *right)
-{
-    char name[96];
-    double shorter;
-    diagnose_name_factor(factor, 1e-9, right, name, sizeof name);
-    return *name || (text_to_double(text_rounded(factor, 3).text, &shorter) &&
-                     fabs(shorter - factor) <= 1e-9 * fabs(factor));
-}
-
-/* Beyond it a value stands for something else, as no stiffness for no force. */
-#define LEAST_FACTOR 1e-4
-
-/* Whether a code with that value makes a time step that the file's times may mean. */
-static bool may_be_its_step(const Search *search, const Settings *wrong)
-{
-    double own;
-    return problem_time_step(wrong, &own, NULL) &&
-           fabs(own - search->table->dt) <= search->table->dt_bound + 1e-12 * search->table->dt;
+    if (agrees && candidate->own_step)
+        agrees = problem_time_step(&wrong, &dt, NULL) &&
+                 fabs(dt - table->dt) <= table->dt_bound + 1e-12 * table->dt;
+    if (agrees)
+        keep(search, candidate, &wrong, &walk);
+    return true;
 }
 
 /* One parameter's value, with the file's time step or with one that follows from it. Beside a simpler
- * explanation only a round one. False: it was given up. */
+ * explanation only a round one: a factor of few digits is a slip, not a fit. False: it was given up. */
 static bool try_value(Search *search, const Parameter *parameter, const TimeSettings *own_step, bool simpler)
 {
+    const double least = 1e-4; /* beyond it a value stands for something else, as no stiffness for no force */
     Candidate candidate = {diagnose_kind(parameter), parameter, 0, 0, own_step};
-    const DiagnoseTask task = {
-        .settings = &search->right, .threads = search->task->threads, .cancel = search->task->cancel};
-    Settings wrong;
-    Walk walk;
-    bool agrees;
+    DiagnoseTask task = *search->task;
+    char name[96];
+    double shorter;
     if (diagnose_time_is_up(search))
         return true;
+    task.settings = &search->right;
     if (!diagnose_find_value(&task, search->table, &search->walk.departure, parameter, own_step,
                              &candidate.value, &search->found->tried))
-        return !cancel_requested(&search->task->cancel, 0) || status_fail(search->status, "interrupted");
+        return !cancel_requested(&task.cancel, 0) || status_fail(search->status, "interrupted");
     const double now = settings_number(&search->right, parameter);
     const double factor = now != 0 ? candidate.value / now : candidate.value;
-    if ((now != 0 && fabs(factor - 1) < 1e-5) || /* of another time step, or of fewer digits */
-        (now != 0 && !(fabs(factor) > LEAST_FACTOR && fabs(factor) < 1 / LEAST_FACTOR)) ||
-        (simpler && !is_round(factor, &search->right)))
+    if (now != 0 && (fabs(factor - 1) < 1e-5 || /* of another time step, or of fewer digits */
+                     !(fabs(factor) > least && fabs(factor) < 1 / least)))
         return true;
-    if (!try_one(search, &candidate, &walk, &wrong, &agrees))
-        return false;
-    if (agrees && (!own_step || may_be_its_step(search, &wrong)))
-        keep(search, &candidate, &wrong, &walk);
-    return true;
+    diagnose_name_factor(factor, 1e-9, &search->right, name, sizeof name);
+    if (simpler && !*name &&
+        !(text_to_double(text_rounded(factor, 3).text, &shorter) &&
+          fabs(shorter - factor) <= 1e-9 * fabs(factor)))
+        return true;
+    return try_one(search, &candidate);
 }
 
-/* Of schemes that differ in a share alone one is enough. */
-static bool is_share_to_seek(const Search *search, const Parameter *parameter)
-{
-    return diagnose_is_share(parameter) &&
-           settings_number(&search->right, parameter) == settings_number(&search->given, parameter);
-}
-
-/* One value that is another, or a round share of the scheme that is `right` at present. Where times of few
- * digits leave the step open, it may be that of the value. */
+/* One value that is another, or a round share of the scheme that is `right` at present: of schemes that
+ * differ in a share alone one is enough. Where times of few digits leave the step open, it may be that of the
+ * value. */
 static bool try_values(Search *search, bool shares)
 {
     const DiagnoseTable *table = search->table;
-    const bool simpler = shares || search->found->n_explanations > 0,
-               open = table->dt_bound > 1e-12 * table->dt;
+    const Diagnosis *found = search->found;
+    const bool simpler = shares || found->n_explanations > 0, open = table->dt_bound > 1e-12 * table->dt;
     const double a_slip = 1e-8; /* less is round-off, which any value fits */
     search->own_is_known = false;
-    if (search->walk.departing < ENTRIES_LEAST || search->walk.farthest < a_slip)
+    if (search->walk.departing < DIAGNOSE_ENTRIES_LEAST || search->walk.farthest < a_slip)
         return true;
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
-        for (int i = 0; i < n_parameters; i++)
-            if (!diagnose_time_is_up(search) && diagnose_is_tried(&search->right, &parameters[i]) &&
-                parameters[i].type == PARAMETER_REAL &&
-                (!shares || is_share_to_seek(search, &parameters[i])) &&
-                !has_value(search->found, &parameters[i]) &&
-                !try_value(search, &parameters[i], by_value ? settings_time(search->task->settings) : NULL,
-                           simpler))
+        for (int i = 0; i < n_parameters; i++) {
+            const Parameter *parameter = &parameters[i];
+            bool tried =
+                parameter->type == PARAMETER_REAL && diagnose_is_tried(&search->right, parameter) &&
+                (!shares || (diagnose_is_share(parameter) && settings_number(&search->right, parameter) ==
+                                                                 settings_number(&search->given, parameter)));
+            for (int k = 0; k < found->n_explanations && tried; k++) /* which may have one */
+                tried = found->explanations[k].kind == DIAGNOSE_MISTAKE ||
+                        strncmp(found->explanations[k].id, parameter->key, strlen(parameter->key)) != 0;
+            if (tried && !try_value(search, parameter,
+                                    by_value ? settings_time(search->task->settings) : NULL, simpler))
                 return false;
+        }
     return true;
 }
 
-typedef enum Listed { MISTAKES, MISTAKES_AND_VALUES, PAIRS_OF_MISTAKES } Listed;
-
 /* What may be wrong in the code of the scheme that is `right` at present. False: it was given up. */
-static bool try_listed(Search *search, Listed what)
+static bool try_listed(Search *search, DiagnoseListed what)
 {
     Candidate *candidates = malloc(CANDIDATES_MAX * sizeof *candidates);
-    Settings wrong;
-    Walk walk;
-    bool sound = candidates || status_fail(search->status, "out of memory"), agrees;
-    const int count = !sound ? 0
-                      : what == PAIRS_OF_MISTAKES
-                          ? diagnose_pairs(&search->right, candidates)
-                          : diagnose_candidates(&search->right, what == MISTAKES_AND_VALUES, candidates);
+    bool sound = candidates || status_fail(search->status, "out of memory");
+    const int count = sound ? diagnose_candidates(&search->right, what, candidates) : 0;
     search->own_is_known = false;
-    for (int i = 0; i < count && sound; i++) {
-        if (candidates[i].kind == DIAGNOSE_SCHEME)
-            continue;
-        sound = try_one(search, &candidates[i], &walk, &wrong, &agrees);
-        if (sound && agrees)
-            keep(search, &candidates[i], &wrong, &walk);
-    }
+    for (int i = 0; i < count && sound; i++)
+        sound = candidates[i].kind == DIAGNOSE_SCHEME || try_one(search, &candidates[i]);
     free(candidates);
     return sound;
 }
@@ -383,7 +312,7 @@ static bool of_few_numbers(const Search *search)
 static double right_beyond(const Search *search)
 {
     const Diagnosis *found = search->found;
-    double beyond = search->walk.departure.is ? INFINITY : beyond_of(&search->walk);
+    double beyond = search->walk.departure.is ? INFINITY : search->walk.beyond;
     for (int i = 0; i < found->n_explanations; i++)
         if (found->explanations[i].kind == DIAGNOSE_SCHEME)
             beyond = fmin(beyond, found->explanations[i].beyond);
@@ -395,18 +324,15 @@ static double right_beyond(const Search *search)
 static bool try_right(Search *search, const DiagnoseScheme *schemes, int first, int count, int *fewest)
 {
     const Candidate candidate = {.kind = DIAGNOSE_SCHEME};
-    Settings same;
-    Walk walk;
-    bool agrees, sound = true;
+    bool sound = true;
     for (int s = first; s < count && sound && schemes[s].choices <= *fewest; s++) {
+        const int before = search->found->n_explanations;
         search->right = schemes[s].settings;
-        sound = try_one(search, &candidate, &walk, &same, &agrees);
-        search->right = search->given;
-        if (sound && agrees) {
-            keep(search, &candidate, &same, &walk);
+        sound = try_one(search, &candidate);
+        if (search->found->n_explanations > before)
             *fewest = schemes[s].choices;
-        }
     }
+    search->right = search->given;
     return sound;
 }
 
@@ -480,7 +406,7 @@ static bool try_other_steppings(Search *search)
  * value of any size, and two mistakes, by each algorithm. */
 static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
 {
-    const bool few = search->walk.departing < ENTRIES_LEAST;
+    const bool few = search->walk.departing < DIAGNOSE_ENTRIES_LEAST;
     enum { CHOICES_OF_PLANE = 3 };
     const bool plane = diagnose_is_of_plane(&search->right);
     const int all = schemes[count - 1].choices,
@@ -557,29 +483,13 @@ static void tell_walk(Search *search)
         name_departure(search);
 }
 
-/* The right code that agrees, by the scenario's scheme or another, as the first of those that may be meant.
- */
-static void put_right_first(Diagnosis *found)
-{
-    Explanation *first = &found->explanations[0];
-    if (first->kind != DIAGNOSE_SCHEME) {
-        const int moved =
-            found->n_explanations < EXPLANATIONS_MAX ? found->n_explanations++ : EXPLANATIONS_MAX - 1;
-        memmove(first + 1, first, (size_t)moved * sizeof *first);
-        *first = (Explanation){.kind = DIAGNOSE_SCHEME, .digits = found->digits, .rows = found->agreed};
-        memcpy(first->scheme, found->scheme, sizeof first->scheme);
-    }
-    strcpy(first->id, "right");
-    strcpy(first->words, "the right code, but the file is nearer to what follows");
-}
-
 /* Of right codes that agree that of fewest choices, or one that is orders nearer, comes first. Returns
  * whether it is another than the scenario's. */
 static bool take_right(Search *search, double orders)
 {
     Diagnosis *found = search->found;
     const bool departs = search->walk.departure.is;
-    double beyond = departs ? found->explanations[0].beyond : beyond_of(&search->walk);
+    double beyond = departs ? found->explanations[0].beyond : search->walk.beyond;
     int first = departs ? 0 : -1, kept = 0;
     for (int i = 0; i < found->n_explanations; i++)
         if (found->explanations[i].kind == DIAGNOSE_SCHEME &&
@@ -620,13 +530,23 @@ static bool take_nearest(Search *search)
     if (right < NEARER * best)
         return other;
     found->one_is_right = right < orders * best;
-    if (found->one_is_right)
-        put_right_first(found);
+    Explanation *first = found->explanations;
+    if (found->one_is_right) { /* by the scenario's scheme or another, as the first of those that may be meant
+                                */
+        if (first->kind != DIAGNOSE_SCHEME) {
+            found->n_explanations += found->n_explanations < EXPLANATIONS_MAX;
+            memmove(first + 1, first, (size_t)(found->n_explanations - 1) * sizeof *first);
+            *first = (Explanation){.kind = DIAGNOSE_SCHEME, .digits = found->digits, .rows = found->agreed};
+            memcpy(first->scheme, found->scheme, sizeof first->scheme);
+        }
+        strcpy(first->id, "right");
+        strcpy(first->words, "the right code, but the file is nearer to what follows");
+    }
     const double near = found->one_is_right ? right / NEARER : best * orders;
     int kept = found->one_is_right;
     for (int i = kept; i < found->n_explanations; i++)
-        if (found->explanations[i].kind == DIAGNOSE_MISTAKE && found->explanations[i].beyond < near)
-            found->explanations[kept++] = found->explanations[i];
+        if (first[i].kind == DIAGNOSE_MISTAKE && first[i].beyond < near)
+            first[kept++] = first[i];
     found->n_explanations = kept;
     search->of_first = departs ? search->by_first : search->given;
     if (found->one_is_right)
@@ -666,24 +586,23 @@ static bool judge(Search *search, bool wrong)
     return true;
 }
 
-/* The table as it was read before, with the steps of its rows, which are kept outside it. */
-static void put_back(DiagnoseTable *table, const DiagnoseTable *left)
-{
-    const DiagnoseReading reading = {
-        .dt = left->dt, .time_factor = left->time_factor, .shift = left->shift, .last = INFINITY};
-    *table = *left;
-    diagnose_read_as(table, &reading);
-    *table = *left;
-}
+/* What is known of a file: what was found, and the table as it was read for that. */
+typedef struct Known {
+    Diagnosis found;
+    DiagnoseTable table;
+} Known;
 
-/* What was found last, or before, where that is nothing. Returns whether it was not given up. */
-static bool known_or(Search *search, bool sound, const Diagnosis *before, const DiagnoseTable *as_before)
+/* Puts it back, with the steps of the table's rows, which are kept outside it. */
+static void put_back(Search *search, const Known *known)
 {
-    if (sound && search->found->verdict == DIAGNOSE_UNKNOWN) {
-        *search->found = *before;
-        put_back(search->table, as_before);
-    }
-    return sound;
+    const DiagnoseReading reading = {.dt = known->table.dt,
+                                     .time_factor = known->table.time_factor,
+                                     .shift = known->table.shift,
+                                     .last = INFINITY};
+    *search->found = known->found;
+    *search->table = known->table;
+    diagnose_read_as(search->table, &reading);
+    *search->table = known->table;
 }
 
 /* Each way to read the table, the likeliest first, up to one that a right code explains, then to one that a
@@ -693,46 +612,44 @@ static bool known_or(Search *search, bool sound, const Diagnosis *before, const 
 static bool judge_readings(Search *search, const DiagnoseReading *readings, int count)
 {
     DiagnoseTable *table = search->table;
-    const DiagnoseTable begun = *table;
-    const Diagnosis nothing = *search->found;
-    Diagnosis first = nothing;
-    DiagnoseTable as_first = begun;
+    Diagnosis *found = search->found;
+    const Known begun = {*found, *table};
+    Known first = begun;
     Status why = {STATUS_DONE, ""};
     bool is_first = false;
     for (int i = 0; i < 4 * count && !(is_first && diagnose_time_is_up(search)); i++) {
-        const Diagnosis before = *search->found;
-        const bool wrong = i / count % 2, guessed = i >= 2 * count;
-        if (guessed != (!begun.timed && readings[i % count].dt != begun.scenario_dt))
+        const DiagnoseReading *reading = &readings[i % count];
+        const long tried = found->tried;
+        const bool time_up = found->time_up, wrong = i / count % 2, guessed = i >= 2 * count;
+        if (guessed != (!begun.table.timed && reading->dt != begun.table.scenario_dt))
             continue;
-        *table = begun;
-        *search->found = nothing;
-        search->found->tried = before.tried;
-        search->found->time_up = before.time_up;
+        *table = begun.table;
+        *found = begun.found;
+        found->tried = tried;
+        found->time_up = time_up;
         free(search->grown);
         search->grown = NULL;
         search->right = *search->task->settings;
-        if (!diagnose_read_as(table, &readings[i % count]) ||
-            !diagnose_hold_step(&search->right, table->dt, &why))
+        if (!diagnose_read_as(table, reading) || !diagnose_hold_step(&search->right, table->dt, &why))
             continue;
         if (!judge(search, wrong))
             return false;
-        const bool by_value = search->found->verdict == DIAGNOSE_EXPLAINED &&
-                              search->found->explanations[0].kind == DIAGNOSE_VALUE;
-        const bool known = search->found->verdict != DIAGNOSE_UNKNOWN,
+        const bool known = found->verdict != DIAGNOSE_UNKNOWN,
+                   by_value =
+                       found->verdict == DIAGNOSE_EXPLAINED && found->explanations[0].kind == DIAGNOSE_VALUE,
                    few_rows = table->n_moments < table->all_moments / 2; /* where round-off grows */
         if (known && !by_value && !few_rows)
             return true;
         /* a value that fits a few rows is less likely than a mistake in another reading */
-        if (is_first ? known && first.verdict == DIAGNOSE_UNKNOWN : wrong || known)
-            is_first = true, first = *search->found, as_first = *table;
+        if (is_first ? known && first.found.verdict == DIAGNOSE_UNKNOWN : wrong || known)
+            is_first = true, first = (Known){*found, *table};
     }
     if (!is_first)
         return status_refuse(search->status, "%s: the scenario cannot be run with its time step %.10g%s%s",
                              table->file.file, readings[0].dt, *why.text ? ": " : "", why.text);
-    first.tried = search->found->tried;
-    first.time_up = search->found->time_up;
-    *search->found = first;
-    put_back(table, &as_first);
+    first.found.tried = found->tried;
+    first.found.time_up = found->time_up;
+    put_back(search, &first);
     return true;
 }
 
@@ -750,54 +667,53 @@ static double single_growth(const Settings *settings, double dt)
                          sqrt(material->youngs_modulus / material->density));
 }
 
-/* Numbers of single precision are judged by its round-off; where no code agrees to double precision, by what
- * 8 digits and more have lost, or by single precision where no more digits are written. */
-static bool judge_by_noise(Search *search, const DiagnoseReading *readings, int count)
-{
-    DiagnoseTable *table = search->table;
-    const double single = 1.2e-7, rounded = 1e-11;
-    const Diagnosis begun = *search->found;
-    const DiagnoseTable as_read = *table;
-    search->found->single = diagnose_is_single(table);
-    if (search->found->single)
-        table->noise = single, table->noise_growth = single_growth(&search->right, table->dt);
-    if (!judge_readings(search, readings, count))
-        return false;
-    const int digits = diagnose_digits_written(table);
-    if (search->found->verdict != DIAGNOSE_UNKNOWN || search->found->single || digits < 5)
-        return true;
-    const Diagnosis before = *search->found;
-    const DiagnoseTable as_before = *table;
-    const double noise = digits > 7 ? rounded : single;
-    if (noise <= as_read.noise)
-        return true;
-    *table = as_read;
-    table->noise = noise;
-    table->noise_growth = noise == single ? single_growth(&search->right, table->dt) : 1e-2;
-    *search->found = begun;
-    search->found->single = noise == single;
-    return known_or(search, judge_readings(search, readings, count), &before, &as_before);
-}
-
-/* By the likely readings; in the plane, where they lead to nothing, by that with which a wrong code agrees:
- * of what point a column is may show only where the right one departs. */
+/* By the likely readings and then, where they lead to nothing, by that with which a wrong code agrees: of
+ * what point a column is may show only where the right one departs. By each, numbers of single precision are
+ * judged by its round-off; where no code agrees to double precision, by what 8 digits and more have lost, or
+ * by single precision where no more digits are written. What is known first counts if all lead to nothing. */
 static bool judge_all(Search *search, DiagnoseReading *readings, int count)
 {
-    const Diagnosis begun = *search->found;
-    const DiagnoseTable as_read = *search->table;
-    if (!judge_by_noise(search, readings, count))
-        return false;
-    if (search->found->verdict != DIAGNOSE_UNKNOWN || diagnose_time_is_up(search) || of_few_numbers(search))
-        return true;
-    const Diagnosis before = *search->found;
-    const DiagnoseTable as_before = *search->table;
-    *search->table = as_read;
-    count = diagnose_readings(search, true, readings);
-    if (count < 0)
-        return status_fail(search->status,
-                           cancel_requested(&search->task->cancel, 0) ? "interrupted" : "out of memory");
-    *search->found = begun;
-    return known_or(search, count == 0 || judge_by_noise(search, readings, count), &before, &as_before);
+    enum { LIKELY, LIKELY_AGAIN, DEEP, DEEP_AGAIN, TRIES };
+    const double single = 1.2e-7, rounded = 1e-11;
+    DiagnoseTable *table = search->table;
+    Diagnosis *found = search->found;
+    const Known begun = {*found, *table};
+    Known first = begun;
+    for (int try = LIKELY; try < TRIES; try++) {
+        const bool again = try == LIKELY_AGAIN || try == DEEP_AGAIN;
+        const int digits = diagnose_digits_written(table);
+        const double noise = again && digits > 7 ? rounded : single;
+        if (again && (found->single || digits < 5 || noise <= begun.table.noise))
+            continue;
+        if (try == DEEP) {
+            put_back(search, &first);
+            if (diagnose_time_is_up(search) || of_few_numbers(search))
+                return true;
+            *table = begun.table;
+            count = diagnose_readings(search, true, readings);
+            if (count < 0)
+                return status_fail(search->status, cancel_requested(&search->task->cancel, 0)
+                                                       ? "interrupted"
+                                                       : "out of memory");
+            if (count == 0)
+                break;
+        }
+        *found = begun.found;
+        *table = begun.table;
+        found->single = again ? noise == single : diagnose_is_single(table);
+        if (again || found->single)
+            table->noise = noise;
+        if (found->single)
+            table->noise_growth = single_growth(&search->right, table->dt);
+        if (!judge_readings(search, readings, count))
+            return false;
+        if (found->verdict != DIAGNOSE_UNKNOWN)
+            return true;
+        if (try == LIKELY)
+            first = (Known){*found, *table};
+    }
+    put_back(search, &first);
+    return true;
 }
 
 bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, Status *status)
@@ -816,9 +732,7 @@ bool diagnose(const DiagnoseTask *task, DiagnoseTable *table, Diagnosis *found, 
                        .until = task->seconds > 0 ? clock_seconds() + task->seconds : INFINITY,
                        .right = *task->settings,
                        .status = status};
-    search->values = malloc((table->file.count * (size_t)table->n_columns + 1) * sizeof *search->values);
-    for (size_t i = 0; search->values && i < table->file.count * (size_t)table->n_columns; i++)
-        search->values[i] = NAN;
+    search->values = diagnose_room(table);
     DiagnoseReading *readings = malloc(READINGS_MAX * sizeof *readings);
     bool sound = (search->values && readings) || status_fail(status, "out of memory");
     sound =

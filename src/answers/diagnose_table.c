@@ -762,6 +762,14 @@ static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *columns, cons
     }
 }
 
+Simulation *diagnose_simulate(const Settings *settings, int threads, Status *status)
+{
+    Settings asked = *settings;
+    strcpy(settings_edit_output(&asked)->columns, "all");
+    settings_edit_output(&asked)->follow[0] = '\0';
+    return problem_simulate(&asked, threads, status);
+}
+
 /* --- the whole ------------------------------------------------------------------------------------------ */
 
 /* More entries than these add nothing. */
@@ -908,11 +916,8 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
 bool diagnose_read_from(DiagnoseTable *table, FILE *stream, const char *file, const Settings *settings,
                         const char *map, Status *status)
 {
-    Settings asked = *settings;
     *table = (DiagnoseTable){.set = -1, .file = {.y = -1}};
-    strcpy(settings_edit_output(&asked)->columns, "all");
-    settings_edit_output(&asked)->follow[0] = '\0';
-    Simulation *sim = problem_simulate(&asked, 1, status);
+    Simulation *sim = diagnose_simulate(settings, 1, status);
     if (!sim)
         return false;
     for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)

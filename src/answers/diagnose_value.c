@@ -25,7 +25,6 @@ typedef struct Seek {
 static bool walk_with(Seek *seek, double value, Walk *walk)
 {
     Settings settings;
-    Status ignored = {STATUS_DONE, ""};
     const Candidate candidate = {DIAGNOSE_VALUE, seek->parameter, value, 0, seek->own_step};
     const double now = settings_number(seek->task->settings, seek->parameter);
     const bool size = seek->parameter->nudge != NUDGE_1_2_5 && !diagnose_is_share(seek->parameter);
@@ -33,7 +32,7 @@ static bool walk_with(Seek *seek, double value, Walk *walk)
         return false;
     ++*seek->tried;
     return diagnose_settings_of(&candidate, seek->task->settings, seek->table, &settings) &&
-           diagnose_walk(walk, &settings, seek->task->threads, seek->task->cancel, &ignored);
+           diagnose_walk(walk, seek->task, &settings, NULL);
 }
 
 /* The change of the value that least squares of the entries asks for; NAN: they do not depend on it. Each
@@ -54,7 +53,8 @@ static double newton(const Seek *seek, size_t moments, double change)
                     continue;
                 double *most = &size[column->group];
                 *most = fmax(*most, fmax(column->natural, fabs(theirs)));
-                const double bound = diagnose_bound(table, column, theirs, *most, table->moments[m].step);
+                const double bound = diagnose_rounding(table, column, theirs) +
+                                     diagnose_noise(table, *most, table->moments[m].step);
                 if (!(bound > 0))
                     continue;
                 const double slope = (seek->values[1][at] - seek->values[0][at]) / bound;
@@ -74,7 +74,7 @@ static double rounded(Seek *seek, double value)
             fabs(shorter - value) > 1e-2 * fabs(value) ||
             (digits > 3 && fabs(shorter - value) > 1e-6 * fabs(value)))
             continue;
-        Walk walk = {.table = seek->table, .moments = SIZE_MAX};
+        Walk walk = {.table = seek->table};
         if (walk_with(seek, shorter, &walk) && !walk.departure.is && walk.compared > 0)
             return shorter;
     }
@@ -103,7 +103,7 @@ static bool guess_value(Seek *seek, const Departure *departure, double *value)
     const double ratio = departure->theirs / departure->ours, now = *value;
     const double guesses[] = {now * ratio, now * sqrt(ratio)};
     for (size_t i = 0; i < sizeof guesses / sizeof *guesses; i++) {
-        Walk walk = {.table = seek->table, .moments = SIZE_MAX};
+        Walk walk = {.table = seek->table};
         if (isfinite(guesses[i]) && guesses[i] != now && walk_with(seek, guesses[i], &walk) &&
             !walk.departure.is && walk.compared > 0 && !walk.failed) {
             *value = guesses[i];
@@ -118,7 +118,7 @@ static bool seek_value(Seek *seek, size_t moments, double *value)
     enum { TURNS = 40 };
     int stays = 0;
     for (int turn = 0; turn < TURNS && stays < 6; turn++) {
-        Walk walk = {.table = seek->table, .moments = SIZE_MAX};
+        Walk walk = {.table = seek->table};
         if (!improve(seek, moments, value) || !walk_with(seek, *value, &walk))
             return false;
         if (!walk.departure.is)

@@ -418,7 +418,7 @@ START_TEST(values_beside_the_right_one_are_tried)
     Settings settings;
     Status status = {0};
     ck_assert(scenario_load("mode5", &settings, &status));
-    const int count = diagnose_candidates(&settings, true, candidates);
+    const int count = diagnose_candidates(&settings, MISTAKES_AND_VALUES, candidates);
     int n_moduli = 0, n_sizes = 0;
     for (int i = 0; i < count; i++) {
         const Parameter *parameter = candidates[i].parameter;
