@@ -2,7 +2,7 @@
 /* `matvib diagnose SCENARIO FILE...`: which mistake, scheme or value made the numbers of somebody's own code.
  * One file is reported at length, many by a line each; the threads of a pool take one file after the other.
  */
-#include "answers/diagnose.h"
+#include "answers/diagnose/diagnose.h"
 #include "base/output.h"
 #include "base/text.h"
 #include "base/visible.h"

@@ -8,7 +8,7 @@
 #include "answers/fit_search.h"
 #include "scenario/parameters.h"
 #include "views/view.h"
-#include "answers/diagnose.h"
+#include "answers/diagnose/diagnose.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,7 +105,7 @@ bool fitting_answer(Laboratory *lab, const char *words)
     return sound || prompt_refuse(lab, "%s", status.text);
 }
 
-/* The diagnosis of somebody's own code in front of a screen that goes on answering (answers/diagnose.h). */
+/* The diagnosis of somebody's own code in front of a screen that goes on answering (diagnose.h). */
 
 typedef struct Diagnosing {
     Laboratory *lab;

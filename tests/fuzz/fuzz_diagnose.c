@@ -4,7 +4,7 @@
 #include "fuzz/fuzz.h"
 #include "scenario/settings.h"
 
-#include "answers/diagnose.h"
+#include "answers/diagnose/diagnose.h"
 #include "scenario/scenario.h"
 
 #include <stdio.h>

@@ -7,8 +7,8 @@
  *     MATVIB_WIDE=1       every case of each kind */
 #include "run/lab_case.h"
 
-#include "answers/diagnose.h"
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose.h"
+#include "answers/diagnose/diagnose_internal.h"
 #include "methods/bonds/plane/bonds_plane.h"
 #include "methods/mpm/mpm.h"
 #include "problems/problem.h"

@@ -2,7 +2,7 @@
 /* What else could have made a foreign code's numbers (diagnose_internal.h): every mistake, every other choice
  * of a scheme, every value beside the scenario's, all from the parameter table; and which run distinguishes
  * two of them apart. */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/concern_body.h"

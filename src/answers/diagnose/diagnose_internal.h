@@ -3,7 +3,7 @@
 #ifndef ANSWERS_DIAGNOSE_INTERNAL_H
 #define ANSWERS_DIAGNOSE_INTERNAL_H
 
-#include "answers/diagnose.h"
+#include "answers/diagnose/diagnose.h"
 #include "run/advance.h"
 #include "scenario/parameters.h"
 #include "scenario/settings.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run beside the table of a foreign code (diagnose_internal.h): ours for each of its entries, up to the
  * first that departs or to its end. */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 
 #include "base/assertion.h"
 #include "scenario/concern_time.h"

@@ -2,7 +2,7 @@
 /* The table of a foreign code as it can be laid beside a run (diagnose.h): which columns are which, of what
  * step, stage and thing each row is, and what its time step is. What is odd but can be read is noted; what
  * cannot is refused in one line. */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 #include "scenario/settings.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a diagnosis came to, in words (diagnose.h). */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 
 #include "base/text.h"
 #include "base/visible.h"

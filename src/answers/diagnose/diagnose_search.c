@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the code that made a file's numbers (diagnose.h). */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the round-off of a run grows to (diagnose_internal.h). */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 
 #include "scenario/settings.h"
 

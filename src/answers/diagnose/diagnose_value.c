@@ -2,7 +2,7 @@
 /* The one wrong value that would explain a file (diagnose_internal.h): a search by Gauss and Newton on the
  * entries up to where the file departs, which goes on from there to the next departure. Near the first one
  * the run depends smoothly on any parameter; the farther it agrees, the sharper the value is known. */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 #include "scenario/settings.h"
 
 #include "base/text.h"

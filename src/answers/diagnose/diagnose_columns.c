@@ -2,7 +2,7 @@
 /* What the columns of a foreign table are worth, once the right run has been laid beside them
  * (diagnose_internal.h): their sizes, and those without information, which are empty, zero,
  * copied, or no numbers. */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 
 #include "answers/references.h"
 #include "problems/problem.h"

@@ -5,7 +5,7 @@
  * A reading is a hypothesis. Each is tried against the right code of each order of the stages, over the first
  * rows; a column may be any quantity that its name allows. The first that agrees throughout counts; where
  * none does, those whose first row agrees, the longest first. */
-#include "answers/diagnose_internal.h"
+#include "answers/diagnose/diagnose_internal.h"
 
 #include "base/assertion.h"
 #include "base/wait.h"
