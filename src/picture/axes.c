@@ -343,11 +343,11 @@ static int even_ticks(Area area, const Axis *axis, const int *cells, int count, 
             const int first = (zero + turn) % stride;
             int n = 0, least = INT_MAX, most = 0;
             for (int i = first; i < count; i += stride, n++) {
-                const int distance = i > first ? abs(cells[i] - cells[i - stride]) : least;
-                least = distance < least ? distance : least;
-                most = distance > most && i > first ? distance : most;
+                const int distance = n > 0 ? abs(cells[i] - cells[i - stride]) : 0;
+                least = n > 0 && distance < least ? distance : least;
+                most = distance > most ? distance : most;
             }
-            const bool even = least > 0 && (most == least || (least > 1 && most == least + 1));
+            const bool even = least > 0 && (most == least || (least > 1 && most - 1 == least));
             if (n < 2 || (axis->scale == SCALE_LINEAR && !even))
                 continue;
             for (int i = 0; i < n; i++)
