@@ -29,7 +29,8 @@ class Host {
 		this.wake = null;
 		this.slept = 0;
 		this.channel = new MessageChannel();
-		this.channel.port1.onmessage = () => this.settle(true);
+		this.nap = 0; // which sleep it is: one that has been ended leaves its message behind
+		this.channel.port1.onmessage = ({data}) => { if (data === this.nap) this.settle(true); };
 		if (this.channel.port1.unref) this.channel.port1.unref();
 	}
 
@@ -58,6 +59,7 @@ class Host {
 	// An answer at once, or -1: the program is to sleep. A program that computes sleeps now and then for a
 	// moment, for only then does anything come.
 	ready(milliseconds, reads, writes) {
+		if (milliseconds < 0 && reads) this.stopped = false; // who waits for a line does nothing that could be stopped
 		if (performance.now() - this.slept > SLICE) return -1;
 		const bits = this.what(reads, writes);
 		return bits !== 0 || milliseconds === 0 ? this.told(bits) : -1;
@@ -69,9 +71,10 @@ class Host {
 			this.changed();
 		}
 		const timed = milliseconds > 0;
-		this.waiting = {reads, writes, wake, timer: null};
+		this.nap++;
+		this.waiting = {reads, writes, wake, timer: null, lasts: milliseconds < 0 && reads};
 		if (timed) this.waiting.timer = setTimeout(() => this.settle(true), milliseconds);
-		if (milliseconds === 0 || this.what(reads, writes) !== 0) this.channel.port2.postMessage(0);
+		if (milliseconds === 0 || this.what(reads, writes) !== 0) this.channel.port2.postMessage(this.nap);
 	}
 
 	// Wakes the program when something has come, or in any case.
@@ -117,7 +120,7 @@ class Host {
 
 	// ^C of a terminal that hands over lines
 	interrupt() {
-		this.stopped = true;
+		this.stopped = !(this.waiting && this.waiting.lasts);
 		this.settle(false);
 	}
 

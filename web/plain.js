@@ -6,8 +6,7 @@ const LINES_MOST = 2000;
 
 const plain = {
 	on: false,
-	rest: '', // of a line that has not ended
-	waits: false, // for a line
+	rest: '', // of a line that has not ended; '> ' while the program waits for one
 	decoder: null,
 	lines: [], // that were entered
 	at: 0,     // which of them is in the field
@@ -20,7 +19,6 @@ const plain = {
 	},
 	begin() {
 		this.rest = '';
-		this.waits = false;
 		this.decoder = new TextDecoder();
 		element('told').replaceChildren();
 	},
@@ -35,13 +33,11 @@ const plain = {
 	take(bytes) {
 		const lines = (this.rest + this.decoder.decode(bytes, {stream: true})).split('\n');
 		this.rest = lines.pop();
-		this.waits = this.rest === '> ';
 		for (const line of lines) this.tell(line);
 	},
 	enter(line) {
 		this.tell('> ' + line, 'line');
 		this.rest = '';
-		this.waits = false;
 		if (line && line !== this.lines[this.lines.length - 1]) this.lines.push(line);
 		this.at = this.lines.length;
 		press(line + '\n');
@@ -65,7 +61,7 @@ const plain = {
 			this.recall(step);
 		});
 		element('stop').addEventListener('click', () => {
-			if (worker && !this.waits) worker.postMessage({interrupt: true});
+			if (worker) worker.postMessage({interrupt: true});
 			element('line').focus();
 		});
 		element('words').addEventListener('click', () => {

@@ -2,6 +2,7 @@
 /* wait_for() in a web page: the program is put to sleep as a whole (Asyncify) until the page has keys, has
  * taken output or has changed its size; what would come as a signal elsewhere is raised when it wakes. The
  * only files that are waited for are the terminal's. */
+#include "base/signals.h"
 #include "base/wait.h"
 
 #include <errno.h>
@@ -31,7 +32,7 @@ int wait_for(struct pollfd *files, int count, const struct timespec *timeout, co
     if (what & WEB_GONE)
         raise(SIGHUP);
     if (what & WEB_STOPPED)
-        raise(SIGINT);
+        signals_end(SIGINT); /* however often it is asked for: a page has no second one that ends at once */
     if (mask)
         sigprocmask(SIG_SETMASK, &ours, NULL);
     if (what & (WEB_RESIZED | WEB_GONE | WEB_STOPPED)) {

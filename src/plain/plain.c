@@ -518,6 +518,7 @@ bool plain_line(Plain *plain, const char *typed, Status *status)
     if (!plain->said)
         say(plain, plain->lab.closed ? "Left." : "Done.");
     fflush(plain->out);
+    forget_interrupt(plain); /* one more ^C while this was told meant the work too */
     return true;
 }
 

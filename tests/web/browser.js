@@ -1054,12 +1054,16 @@ async function plain_words() {
 	result('a file is offered there too', (await written('words-series.csv')) !== null, await told());
 	await enter('mesh.cell_size=0.002');
 	await enter('until end');
-	await page.waitForFunction(() => /> until end/.test(element('told').textContent) && !plain.waits).catch(() => {});
+	await page.waitForFunction(() => /> until end/.test(element('told').textContent) && plain.rest !== '> ').catch(() => {});
 	const stopped = await sooner(() => page.click('#stop').then(told), (text) => /> until end.*step \d+ of \d+, paused/.test(text));
 	result('a long computation is stopped', /> until end.*step \d+ of \d+, paused/.test(stopped), stopped);
+	await page.click('#stop', {clickCount: 2});
+	await page.evaluate(() => worker.postMessage({interrupt: true}));
+	await enter('tell number');
+	await tells('who stops twice does not end the program', /> tell number./);
 	await page.waitForFunction(() => document.activeElement.id === 'line').catch(() => {});
 	await page.keyboard.press('ArrowUp');
-	await becomes('lines come back', () => page.$eval('#line', (field) => field.value), (line) => line === 'until end');
+	await becomes('lines come back', () => page.$eval('#line', (field) => field.value), (line) => line === 'tell number');
 	result('the link says so', /[?&]plain=1/.test(await page.evaluate(() => link_to_opened())));
 	await page.click('#words');
 	await shows('and the screen comes back', has('Space pause'));
