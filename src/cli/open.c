@@ -97,8 +97,10 @@ static bool homework_begin(const Options *options, const char *lesson, HomeworkF
         bool is_homework = false;
         for (int i = 0; i < opened.n_pages; i++)
             is_homework |= opened.pages[i].exercise != NULL;
-        if (is_homework)
-            visible_print(stdout, "%s\nWhat you do is kept in a file for your teacher.\n", opened.title);
+        if (is_homework) {
+            visible_print(stdout, "%s\n", opened.title);
+            visible_print(stdout, "What you do is kept in a file for your teacher.\n");
+        }
         if (is_homework && ask("Your name (Enter alone: only look, nothing is kept):", homework->student))
             ask("Your ID number or address, where you have one (Enter alone: none):", homework->id);
         lesson_free(&opened);
