@@ -20,6 +20,7 @@ both() {
 	grep -q '^status' native/said && diff -r page native
 }
 
+result "the host wakes a program for what it waits for" node "$MATVIB_SRCDIR/tests/web/host.js" "$MATVIB_SRCDIR/web/host.js"
 for scenario in $("$MATVIB" list | cut -d' ' -f1); do
 	result "$scenario: tables and summary" both run "$scenario" --steps $steps --series series.csv --particles particles.csv
 done
