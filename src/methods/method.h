@@ -129,7 +129,7 @@ static inline double link_pull(const Link *link)
 /* Before the number of the other end, where that is meant. */
 static inline const char *link_mirror(const Link *link)
 {
-    return link->mirrored ? "mirror of " : "";
+    return link->mirrored ? "the mirror of " : "";
 }
 
 /* What linked things give to each other in a stage: for each pair a product of a few numbers. The products

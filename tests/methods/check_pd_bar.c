@@ -545,7 +545,7 @@ START_TEST(stages_explain_themselves)
         }
     }
     sim->method->explain(sim, 3, 0, 0, NULL, 0, text, sizeof text);
-    ck_assert_msg(strstr(text, "to mirror of 0: c G w V s = "), "%s", text);
+    ck_assert_msg(strstr(text, "to the mirror of 0: c G w V s = "), "%s", text);
     free(before);
     simulation_destroy(sim);
 }
