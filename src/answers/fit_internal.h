@@ -12,16 +12,14 @@ typedef struct Search {
     double *model; /* of the run that is made, at the data */
     bool began;    /* a run has been made: what fails from here on is a step too far */
     bool interrupted;
-    bool
-        fixed[FIT_KEYS_MAX]; /* no run can be made beside where a parameter is; why_fixed is about the last */
-    Status why_fixed;
-    Status why; /* the last run could not be made */
+    bool fixed[FIT_KEYS_MAX]; /* no run can be made beside where the parameter is */
+    Status why_fixed;         /* of the last of those */
+    Status why;               /* the last run could not be made */
 } Search;
 
 /* s(t; p) at `count` times. False: the settings are unsound, the run failed or was given up. */
 bool fit_run(Search *, const Settings *, const double *times, double *values, size_t count);
 bool fit_run_at_data(Search *, const Settings *); /* into search->model */
-double fit_chi2(const Search *);                  /* of the run that is made */
 
 /* A value of one parameter at which the search may begin. */
 typedef struct Beginning {

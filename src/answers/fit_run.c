@@ -98,7 +98,8 @@ bool fit_run_at_data(Search *search, const Settings *settings)
     return fit_run(search, settings, search->task->times, search->model, search->task->count);
 }
 
-double fit_chi2(const Search *search)
+/* Of the run that is made. */
+static double chi2_of(const Search *search)
 {
     double sum = 0;
     for (size_t k = 0; k < search->task->count; k++) {
@@ -290,8 +291,8 @@ int fit_beginnings(Search *search, Beginning list[BEGINNINGS_MAX])
     if (!fit_run_at_data(search, task->settings))
         return 0;
     search->began = true;
-    search->result->rms_before = sqrt(fit_chi2(search) / (double)task->count);
-    const double start = fit_chi2(search), wanted = frequency_of_data(search);
+    search->result->rms_before = sqrt(chi2_of(search) / (double)task->count);
+    const double start = chi2_of(search), wanted = frequency_of_data(search);
     const double own = wanted > 0 ? frequency_of_run(search, 0, 1) : 0;
     begin_at(list, &count, 0, 1, false);
     for (int key = 0; key < task->n_keys && own > 0; key++)
@@ -303,7 +304,7 @@ int fit_beginnings(Search *search, Beginning list[BEGINNINGS_MAX])
     for (int i = 1; i < count; i++) {
         Settings settings;
         if (place_one(search, list[i].key, list[i].factor, &settings) && fit_run_at_data(search, &settings))
-            list[i].chi2 = fit_chi2(search);
+            list[i].chi2 = chi2_of(search);
         if (search->interrupted)
             return 0;
     }

@@ -53,10 +53,8 @@ int cli_fit(Options *, Status *);
 int cli_diagnose(Options *, Status *);
 int cli_sound(Options *, Status *);
 int cli_list(Options *, Status *);
-int cli_describe(const char *scenario, Status *);                       /* its title, and what it is about */
-int cli_list_lessons(void);                                             /* what `lesson --list` prints */
-int cli_lesson_handout(const Options *, const char *student, Status *); /* what `lesson --handout` writes */
-int cli_lesson_print(const char *name, Status *);                       /* what `lesson --print` prints */
+int cli_describe(const char *scenario, Status *); /* its title, and what it is about */
+int cli_list_lessons(void);                       /* what `lesson --list` prints */
 int cli_show(Options *, Status *);
 int cli_params(Options *, Status *);
 

@@ -188,27 +188,6 @@ int cli_open(Options *options, Status *status)
     return enter(options, scenario, NULL, &(HomeworkFile){.file = ""}, status);
 }
 
-int cli_lesson(Options *options, Status *status)
-{
-    HomeworkFile homework;
-    const char *word = options->n_words > 0 ? options->words[0] : NULL;
-    if (options->list)
-        return cli_list_lessons();
-    if (options->print)
-        return cli_lesson_print(word, status);
-    if (!homework_begin(options, word, &homework, status))
-        return (int)status->code;
-    if (options->handout)
-        return cli_lesson_handout(options, homework.student, status);
-    if (!go_together(options, NULL, status))
-        return (int)status->code;
-    const int result =
-        enter(options, scenario_unnamed, word ? word : laboratory_all_lessons, &homework, status);
-    if (result == STATUS_DONE && *homework.file && access(homework.file, F_OK) == 0)
-        printf("Hand in this file: %s\n", homework.file);
-    return result;
-}
-
 /* `matvib lesson NAME --handout FILE.pdf`: a lesson's exercises on paper; `--print`: its text. */
 
 static void write_exercise(Leaflet *leaflet, const LessonPage *page)
@@ -237,7 +216,7 @@ static void write_exercise(Leaflet *leaflet, const LessonPage *page)
     }
 }
 
-int cli_lesson_handout(const Options *options, const char *student, Status *status)
+static int write_handout(const Options *options, const char *student, Status *status)
 {
     if (options->n_words == 0)
         return progress_result(
@@ -277,7 +256,7 @@ int cli_lesson_handout(const Options *options, const char *student, Status *stat
     return progress_result(sound, status);
 }
 
-int cli_lesson_print(const char *name, Status *status)
+static int print_lesson(const char *name, Status *status)
 {
     const BuiltinLesson *builtin = name ? lesson_builtin(name) : NULL;
     if (!name)
@@ -287,4 +266,25 @@ int cli_lesson_print(const char *name, Status *status)
     else
         fputs(builtin->text, stdout);
     return progress_result(builtin != NULL, status);
+}
+
+int cli_lesson(Options *options, Status *status)
+{
+    HomeworkFile homework;
+    const char *word = options->n_words > 0 ? options->words[0] : NULL;
+    if (options->list)
+        return cli_list_lessons();
+    if (options->print)
+        return print_lesson(word, status);
+    if (!homework_begin(options, word, &homework, status))
+        return (int)status->code;
+    if (options->handout)
+        return write_handout(options, homework.student, status);
+    if (!go_together(options, NULL, status))
+        return (int)status->code;
+    const int result =
+        enter(options, scenario_unnamed, word ? word : laboratory_all_lessons, &homework, status);
+    if (result == STATUS_DONE && *homework.file && access(homework.file, F_OK) == 0)
+        printf("Hand in this file: %s\n", homework.file);
+    return result;
 }

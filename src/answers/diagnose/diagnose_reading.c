@@ -26,10 +26,9 @@ bool diagnose_time_is_up(const Search *search)
     return search->found->time_up;
 }
 
-/* --- times ------------------------------------------------------------------------------------------------
- */
+/* --- times ---------------------------------------------------------------------------------------------- */
 
-double diagnose_time_of(const DiagnoseTable *table, size_t moment)
+static double time_of(const DiagnoseTable *table, size_t moment)
 {
     ASSERT_INDEX(moment, table->all_moments);
     const int column = table->step_column >= 0 ? table->step_column : table->time_column;
@@ -45,9 +44,9 @@ static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, doubl
     for (size_t m = 0; m < table->all_moments; m++) {
         double step;
         if (table->step_column >= 0)
-            step = diagnose_time_of(table, m);
+            step = time_of(table, m);
         else {
-            const double written = diagnose_time_of(table, m), time = written * reading->time_factor;
+            const double written = time_of(table, m), time = written * reading->time_factor;
             /* of few digits it may be of the nearest step alone */
             const double bound =
                 fmin(0.51 * reading->time_factor * diagnose_last_digit(times, written), 0.45 * reading->dt);
@@ -87,8 +86,7 @@ bool diagnose_read_as(DiagnoseTable *table, const DiagnoseReading *reading)
     return true;
 }
 
-/* --- what a column may be ---------------------------------------------------------------------------------
- */
+/* --- what a column may be ------------------------------------------------------------------------------- */
 
 enum { ENOUGH_DIGITS = 6, FIELDS_MAX = 64 }; /* more than any simulation has */
 
@@ -200,8 +198,7 @@ static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *colum
     return sound;
 }
 
-/* --- one trial --------------------------------------------------------------------------------------------
- */
+/* --- one trial ------------------------------------------------------------------------------------------ */
 
 enum {
     MOMENTS_MAX = 150,
@@ -487,8 +484,7 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
     return sound;
 }
 
-/* --- the hypotheses ---------------------------------------------------------------------------------------
- */
+/* --- the hypotheses ------------------------------------------------------------------------------------- */
 
 static bool is_whole(double number, double bound)
 {
@@ -514,7 +510,7 @@ static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
 static bool begins_later(const Trials *trials, double factor, double dt)
 {
     const DiagnoseTable *table = trials->search->table;
-    const double first = table->step_column < 0 ? diagnose_time_of(table, 0) * factor / dt : 0;
+    const double first = table->step_column < 0 ? time_of(table, 0) * factor / dt : 0;
     bool later = fabs(first - floor(first) - 0.5) < 0.01;
     for (int i = 0; i < trials->count && !later; i++)
         later = trials->all[i].plain && trials->all[i].reading.shift == 0 && trials->all[i].denied;
@@ -711,7 +707,7 @@ static bool try_all_times(Trials *trials, bool *found)
                 continue;
             const bool multiple = is_whole(spacing / dt, share * spacing / dt);
             /* a table without its start begins after one step, whatever its rows are apart */
-            const double begun = diagnose_time_of(table, 0) * factor;
+            const double begun = time_of(table, 0) * factor;
             if (pass == 0 && begun > 0 && spacing / begun > 1.5 &&
                 fabs(begun - dt) > DIAGNOSE_SAME_STEP * dt &&
                 is_whole(spacing / begun, share * spacing / begun) &&

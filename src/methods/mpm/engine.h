@@ -431,8 +431,6 @@ bool mpm_stage(Simulation *, int stage, size_t first, size_t end, Status *);
 bool mpm_steps(Simulation *, long count, double *rows, long *done, Status *);
 /* memory.c: how a simulation is made, and its state. */
 void mpm_derive(Mpm *, const MpmDef *); /* everything constant, from a definition that is sound */
-void mpm_destroy(Simulation *);
-void mpm_take_schedule(Mpm *);
 size_t mpm_lasting_bytes(const Mpm *, const MpmHead *); /* of the state that lasts from step to step */
 
 /* Particles of a chunk, and what a stage does with them: see stages.c. */

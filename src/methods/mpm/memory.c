@@ -109,7 +109,7 @@ static bool build(Mpm *mpm, Status *status)
     return true;
 }
 
-void mpm_destroy(Simulation *sim)
+static void destroy(Simulation *sim)
 {
     Mpm *mpm = mpm_of(sim);
     pool_destroy(mpm->pool);
@@ -117,7 +117,7 @@ void mpm_destroy(Simulation *sim)
     free(mpm);
 }
 
-void mpm_take_schedule(Mpm *mpm)
+static void take_schedule(Mpm *mpm)
 {
     mpm->wrong = mpm_wrong_with(mpm, mpm->head->mistake);
     mpm_list_stages(mpm);
@@ -149,7 +149,7 @@ static void load(Simulation *sim, const void *bytes)
         memset(mpm->block + size, 0, mpm->bytes_kept - size);
     if (sim->stage == 0)
         mpm_find_all(mpm);
-    mpm_take_schedule(mpm);
+    take_schedule(mpm);
     mpm_find_held(mpm, sim->step);
 }
 
@@ -256,7 +256,7 @@ static bool change(Simulation *sim, const char *key, double value, Status *statu
     for (int k = 0; def.transfer != mpm->head->transfer && mpm->bodies && k < 4; k++)
         memset(mpm->rate[k], 0, bytes);
     take_live(mpm->head, &def);
-    mpm_take_schedule(mpm);
+    take_schedule(mpm);
     return true;
 }
 
@@ -269,7 +269,7 @@ static const struct {
     Method method;
 } problems_by_mpm[] = {
 #define METHOD                                                                                               \
-    .name = "mpm", .title = "material point method", .destroy = mpm_destroy, .stage = mpm_stage,             \
+    .name = "mpm", .title = "material point method", .destroy = destroy, .stage = mpm_stage,                 \
     .steps = mpm_steps, .row = mpm_row, .field = mpm_field, .links = mpm_links, .shapes = mpm_shapes,        \
     .exchange = mpm_exchange, .explain = mpm_explain, .state_size = state_size, .load = load,                \
     .change = change
@@ -343,11 +343,11 @@ Simulation *mpm_create(const MpmDef *def, Status *status)
     if (sound && threads > 1 && mpm->n_particles >= PARTICLES_TO_SHARE)
         sound = (mpm->pool = pool_create(threads, status)) != NULL;
     if (!sound) {
-        mpm_destroy(sim);
+        destroy(sim);
         return NULL;
     }
     mpm_set_series(mpm);
-    mpm_take_schedule(mpm);
+    take_schedule(mpm);
     const bool beam = def->problem == MPM_BEAM;
     simulation_lay(sim, beam ? (size_t)mpm->nxp : sim->counts[MPM_PARTICLES], beam ? (size_t)mpm->nyp : 1,
                    mpm->spacing, mpm->dim);
