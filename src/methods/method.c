@@ -410,8 +410,7 @@ void simulation_destroy(Simulation *sim)
         sim->method->destroy(sim);
 }
 
-/* --- what is followed ------------------------------------------------------------------------------------
- */
+/* --- what is followed ---------------------------------------------------------------------------------- */
 
 static bool same_words(const char *a, const char *b)
 {

@@ -37,8 +37,7 @@ static void worked(void *context, long steps)
     (void)steps;
 }
 
-/* --- what is printed -------------------------------------------------------------------------------------
- */
+/* --- what is printed ----------------------------------------------------------------------------------- */
 
 /* In the encoding of the locale, with a question mark for what it does not have. */
 static void put(Plain *plain, const char *text)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What else could have made a foreign code's numbers (diagnose_internal.h): every mistake, every other choice
  * of a scheme, every value beside the scenario's, all from the parameter table; and which run distinguishes
- * two of them apart. */
+ * two of them. */
 #include "answers/diagnose/diagnose_internal.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
@@ -386,8 +386,7 @@ void diagnose_explain(const Candidate *candidate, const Settings *right, const S
     }
 }
 
-/* --- distinguishing two ----------------------------------------------------------------------------------
- */
+/* --- distinguishing two -------------------------------------------------------------------------------- */
 
 enum { LOOK = 12, COLUMNS_MOST = 64 }; /* so many steps distinguish any two codes that differ */
 

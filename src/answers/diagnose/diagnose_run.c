@@ -17,8 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- the accuracy of an entry -----------------------------------------------------------------------------
- */
+/* --- the accuracy of an entry --------------------------------------------------------------------------- */
 
 double diagnose_theirs(const DiagnoseTable *table, const DiagnoseColumn *column, size_t row)
 {

@@ -347,7 +347,8 @@ static bool try_nearer(Search *search, const DiagnoseScheme *schemes, int count,
     bool sound = true;
     if (right < round_off)
         return true;
-    table->noise = right / NEARER, table->noise_growth = 0;
+    table->noise = right / NEARER;
+    table->noise_growth = 0;
     search->grown = NULL;
     search->nearer = true;
     if (!wrong)
@@ -359,7 +360,8 @@ static bool try_nearer(Search *search, const DiagnoseScheme *schemes, int count,
     search->nearer = false;
     search->right = search->given;
     search->grown = grown;
-    table->noise = noise, table->noise_growth = growth;
+    table->noise = noise;
+    table->noise_growth = growth;
     return sound;
 }
 
@@ -531,8 +533,7 @@ static bool take_nearest(Search *search)
         return other;
     found->one_is_right = right < orders * best;
     Explanation *first = found->explanations;
-    if (found->one_is_right) { /* by the scenario's scheme or another, as the first of those that may be meant
-                                */
+    if (found->one_is_right) { /* by the scenario's scheme or another: the first of what may be meant */
         if (first->kind != DIAGNOSE_SCHEME) {
             found->n_explanations += found->n_explanations < EXPLANATIONS_MAX;
             memmove(first + 1, first, (size_t)(found->n_explanations - 1) * sizeof *first);
@@ -641,8 +642,10 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
         if (known && !by_value && !few_rows)
             return true;
         /* a value that fits a few rows is less likely than a mistake in another reading */
-        if (is_first ? known && first.found.verdict == DIAGNOSE_UNKNOWN : wrong || known)
-            is_first = true, first = (Known){*found, *table};
+        if (is_first ? known && first.found.verdict == DIAGNOSE_UNKNOWN : wrong || known) {
+            is_first = true;
+            first = (Known){*found, *table};
+        }
     }
     if (!is_first)
         return status_refuse(search->status, "%s: the scenario cannot be run with its time step %.10g%s%s",

@@ -76,8 +76,7 @@ static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE
             int from = 0;
             row_of(table, i, row);
             for (int column = 0; column < table->plan->n_keys; column++) {
-                /* The word of a value that is not a number, as contact.gap = off; choices are their places.
-                 */
+                /* The word of a value that is not a number, as contact.gap = off. */
                 const Parameter *parameter =
                     column < table->plan->n_keys ? table->plan->keys[column].parameter : NULL;
                 const char *word =

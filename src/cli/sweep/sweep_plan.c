@@ -102,8 +102,8 @@ static bool join_axis(SweepPlan *plan, SweepKey *key, Status *status)
 
 static bool read_key(SweepPlan *plan, const SweepAxis *axis, const Options *options, Status *status)
 {
-    SweepKey *key =
-        &plan->keys[plan->n_keys++]; /* even if it is bad: what it holds is freed with the others */
+    /* counted even if it is bad: what it holds is freed with the others */
+    SweepKey *key = &plan->keys[plan->n_keys++];
     const char *equals = strchr(axis->text, '=');
     *key = (SweepKey){.origin = axis->origin};
     if (!equals || equals == axis->text || equals - axis->text >= KEY_MAX)

@@ -469,8 +469,7 @@ static void update_node(const Subject *subject)
     }
 }
 
-/* --- what particles do -----------------------------------------------------------------------------------
- */
+/* --- what particles do --------------------------------------------------------------------------------- */
 
 /* Eq. 8, or what a code has in its place: the density before is solved for. */
 static void write_density(const Subject *subject, double density, double stretch)

@@ -121,7 +121,9 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
     cost->total = beam->head->dissipated;
     const double at_limit = cost->through + cost->beside + cost->far;
     const double share = at_limit > 0 ? cost->total / at_limit : 0;
-    cost->through *= share, cost->beside *= share, cost->far *= share;
+    cost->through *= share;
+    cost->beside *= share;
+    cost->far *= share;
     return true;
 }
 

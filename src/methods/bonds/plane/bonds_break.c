@@ -17,7 +17,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Damage of a bond's ends is worked out again at the end of the step, once however many of their bonds broke.
+/* Damage of a bond's ends is worked out again at the end of the step, once for all of their bonds that broke.
  */
 static void mark_ends(Beam *beam, BondPlace place)
 {

@@ -225,8 +225,7 @@ bool beam_set_problem(Beam *beam, Status *status)
             beam->supports[end].patch = (Patch){end * (nx - 1), 0, 1, ny};
         beam->supports[1].x = bonds_does(beam, BONDS_WRONG_HOLDS_BOTH);
         beam->n_supports = 2;
-        /* the span between the supports is (nx - 1) dx, not the beam's length: the period goes as its square
-         */
+        /* the span between the supports is (nx - 1) dx, not the length: the period goes as its square */
         beam->facts.real_span = (nx - 1) * lattice->spacing;
     }
     return true;

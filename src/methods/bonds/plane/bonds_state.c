@@ -129,8 +129,7 @@ bool beam_change(Simulation *sim, const char *key, double value, Status *status)
         if (!beam->lattice.line ||
             bonds_does(beam, BONDS_WRONG_FORCE_STAYS)) /* which would add it once more */
             return true;
-        /* the forces of the displacements as they are: the half kick that comes takes those of the new load
-         */
+        /* forces of the displacements as they are: the half kick that comes takes those of the new load */
         beam_bond_forces(beam, false);
         for (int j = 0; j < beam->lattice.ny; j++) {
             beam_add_halos(beam, j);
