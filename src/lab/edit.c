@@ -33,7 +33,7 @@ void edit_move(Laboratory *lab, int by)
     lab->parameters.selected = last < 0 ? 0 : last >= count && count > 0 ? count - 1 : last;
 }
 
-bool edit_answer_filter(Laboratory *lab, const char *text)
+bool edit_answer_filter(Laboratory *lab, const char *text, Status *status)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     snprintf(lab->parameters.filter, sizeof lab->parameters.filter, "%.31s", text);
@@ -47,7 +47,7 @@ bool edit_answer_filter(Laboratory *lab, const char *text)
     lab->parameters.filter[0] = '\0';
     lab->parameters.selected = 0;
     edit_move(lab, 1);
-    return prompt_refuse(lab, "no parameter has that in its name");
+    return status_refuse(status, "no parameter has that in its name");
 }
 
 /* A run that begins again seeks the time that the first of these edits found on screen. */

@@ -33,7 +33,7 @@ void edit_begin(Laboratory *); /* opens the field; of a choice: takes the next o
 /* Opens it with the text that is in it. `fresh`: a first character replaces that. */
 void edit_open_field(Laboratory *, bool (*accept)(Laboratory *, Status *), bool fresh);
 void edit_key(Laboratory *, const Key *);
-bool edit_answer_filter(Laboratory *, const char *text);
+bool edit_answer_filter(Laboratory *, const char *text, Status *);
 
 /* New parameters, undoable. False: refused, the status says why. */
 bool edit_change(Laboratory *, const Settings *, DuelChange, Status *);
@@ -54,7 +54,7 @@ void row_edit_begin(Laboratory *);
 void row_edit_nudge(Laboratory *, int direction, bool fine);
 
 /* "NAME VALUES", "NAME none" or "NAME = VALUES" for a kind. False: the status says why. */
-bool row_edit_line(Laboratory *, int kind, const char *words, Status *);
+bool row_edit_line(Laboratory *, const char *words, int kind, Status *);
 
 /* Commands: a new row or a copy is put on the map; the chosen one goes, or is moved. */
 void row_edit_add(Laboratory *);

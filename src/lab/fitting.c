@@ -74,35 +74,34 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
     return sound;
 }
 
-bool fitting_answer(Laboratory *lab, const char *words)
+bool fitting_answer(Laboratory *lab, const char *words, Status *status)
 {
     Settings settings = *experiment_base(laboratory_run(lab)), begun = settings;
     FitTask task = {.settings = &begun, .threads = lab->options.threads};
     FitData data = {.times = NULL};
-    Status status = {STATUS_DONE, ""};
     char list[sizeof lab->prompting.shown.text], keys[FIT_KEYS_MAX][KEY_MAX];
     int y = -1;
     snprintf(list, sizeof list, "%s", words);
     if (!lab->screen.overlay || lab->overlay.along)
-        return prompt_refuse(lab, "load a series over time first: overlay FILE.csv");
+        return status_refuse(status, "load a series over time first: overlay FILE.csv");
     if (!(task.column = series_of(lab, &y)))
-        return prompt_refuse(lab, "the overlay has no column of this run's series");
+        return status_refuse(status, "the overlay has no column of this run's series");
     char column[OVERLAY_NAME_MAX];
     snprintf(column, sizeof column, "%s", task.column); /* the run on screen goes, and its names with it */
     task.column = column;
     player_pause(lab);
-    bool sound = fit_data_keys(list, &task, &status);
+    bool sound = fit_data_keys(list, &task, status);
     for (int i = 0; i < task.n_keys && sound; i++) {
-        sound = settings_resolve_key(&settings, task.keys[i], keys[i], &status);
+        sound = settings_resolve_key(&settings, task.keys[i], keys[i], status);
         task.keys[i] = keys[i];
     }
-    sound = sound && fit_data_take(&data, &lab->overlay, y, &status) && fit_data_end(&data, &begun, &status);
+    sound = sound && fit_data_take(&data, &lab->overlay, y, status) && fit_data_end(&data, &begun, status);
     task.times = data.times;
     task.values = data.values;
     task.count = data.count;
-    sound = sound && solve(lab, &task, &settings, &status);
+    sound = sound && solve(lab, &task, &settings, status);
     fit_data_free(&data);
-    return sound || prompt_refuse(lab, "%s", status.text);
+    return sound;
 }
 
 /* The diagnosis of somebody's own code in front of a screen that goes on answering (diagnose.h). */
@@ -146,11 +145,10 @@ static bool take_pairs(char *path)
     return true;
 }
 
-bool fitting_diagnose(Laboratory *lab, const char *words)
+bool fitting_diagnose(Laboratory *lab, const char *words, Status *status)
 {
     char path[NAME_MAX_BYTES];
     const Settings settings = *experiment_base(laboratory_run(lab));
-    Status status = {STATUS_DONE, ""};
     snprintf(path, sizeof path, "%s", words + strspn(words, " "));
     Diagnosis *found = calloc(1, sizeof *found);
     Diagnosing waiting = {lab, found};
@@ -160,10 +158,10 @@ bool fitting_diagnose(Laboratory *lab, const char *words)
                                .cancel = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);
     player_pause(lab);
-    const bool sound = *path ? ((table && found) || status_fail(&status, "out of memory")) &&
-                                   diagnose_read(table, path, &settings, NULL, &status) &&
-                                   diagnose(&task, table, found, &status)
-                             : status_refuse(&status, "a file is expected: diagnose FILE.csv");
+    const bool sound = *path ? ((table && found) || status_fail(status, "out of memory")) &&
+                                   diagnose_read(table, path, &settings, NULL, status) &&
+                                   diagnose(&task, table, found, status)
+                             : status_refuse(status, "a file is expected: diagnose FILE.csv");
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         lay_over(lab, table);
@@ -174,5 +172,5 @@ bool fitting_diagnose(Laboratory *lab, const char *words)
         diagnose_close(table);
     free(table);
     free(found);
-    return sound || prompt_refuse(lab, "%s", status.text);
+    return sound;
 }

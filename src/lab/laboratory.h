@@ -62,7 +62,7 @@ struct Laboratory {
 
     /* The tables of commands and of lines stand above all that they call; from there they are reached so. */
     void (*carry_out)(Laboratory *, CommandId);
-    bool (*run_line)(Laboratory *, const char *line);
+    bool (*run_line)(Laboratory *, const char *line, Status *);
 
     Host host;
     LaboratoryOptions options;
@@ -157,16 +157,14 @@ void laboratory_tell(Laboratory *, const char *format, ...) __attribute__((forma
 /* `:fit KEY,...`: the parameters with which the run agrees best with the series that lies over it. */
 
 /* Searches, says how far it has come meanwhile, and has the run made again with what was found; one undo
- * takes it back. What was found, its intervals and the residuals are said. False: refused, prompt.problem
- * says why.
- */
-bool fitting_answer(Laboratory *, const char *words);
+ * takes it back. What was found, its intervals and the residuals are said. */
+bool fitting_answer(Laboratory *, const char *words, Status *);
 
 /* `:diagnose FILE`: which code made the numbers of a file, as against the scenario on screen. */
 
 /* What is found is said in the box, and a series lies over the plots from then on. The run on screen stays as
- * it is. False: refused, prompt.problem says why. */
-bool fitting_diagnose(Laboratory *, const char *words);
+ * it is. */
+bool fitting_diagnose(Laboratory *, const char *words, Status *);
 
 /* Whether a study on screen lacks points and nothing else goes on. */
 bool refining_is_due(const Laboratory *);
@@ -190,10 +188,10 @@ void opening_begin(Laboratory *, Experiment *);
 void opening_name(Laboratory *, const char *name);
 
 /* Another scenario in the place of this one, or its coarse form, which is then said. */
-bool opening_answer(Laboratory *, const char *text);
+bool opening_answer(Laboratory *, const char *text, Status *);
 
 /* The same at full size; "": that of which this is the coarse form. */
-bool opening_whole(Laboratory *, const char *text);
+bool opening_whole(Laboratory *, const char *text, Status *);
 
 /* Says that this is the coarse form of what was asked for. */
 void opening_tell_coarse(Laboratory *);

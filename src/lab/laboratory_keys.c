@@ -30,14 +30,14 @@ static void scroll_help(Laboratory *lab, int lines)
     lab->help.found = 0;
 }
 
-static bool answer_search(Laboratory *lab, const char *text)
+static bool answer_search(Laboratory *lab, const char *text, Status *status)
 {
     HelpShown *help = &lab->help;
     if (!*text)
         return true;
     snprintf(help->sought, sizeof help->sought, "%s", text);
     if (!help_search(&lab->screen, lab->width, text, help))
-        return prompt_refuse(lab, "the help does not have these words");
+        return status_refuse(status, "the help does not have these words");
     const int most = help_most(&lab->screen, lab->width, lab->height);
     help->scroll = help->scroll < most ? help->scroll : most;
     return true;

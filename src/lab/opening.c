@@ -148,35 +148,30 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
     return experiment != NULL;
 }
 
-static bool open_or_refuse(Laboratory *lab, const char *name)
-{
-    Status status = {STATUS_DONE, ""};
-    return open_scenario(lab, name, &status) || prompt_refuse(lab, "%s", status.text);
-}
-
 void opening_tell_coarse(Laboratory *lab)
 {
     if (!lab->message.text[0])
         laboratory_tell(lab, "coarse form of %s; :full opens the whole", scenario_whole(lab->scenario));
 }
 
-bool opening_answer(Laboratory *lab, const char *text)
+bool opening_answer(Laboratory *lab, const char *text, Status *status)
 {
     const char *form = scenario_on_screen(text);
     if (!text[0])
         return true;
-    const bool opened = open_or_refuse(lab, form);
-    if (opened && form != text)
+    if (!open_scenario(lab, form, status))
+        return false;
+    if (form != text)
         opening_tell_coarse(lab);
-    return opened;
+    return true;
 }
 
-bool opening_whole(Laboratory *lab, const char *text)
+bool opening_whole(Laboratory *lab, const char *text, Status *status)
 {
     const char *whole = text[0] ? text : scenario_whole(lab->scenario);
     if (!whole)
-        return prompt_refuse(lab, "this is not a coarse form (full SCENARIO opens one at full size)");
-    return open_or_refuse(lab, whole);
+        return status_refuse(status, "this is not a coarse form (full SCENARIO opens one at full size)");
+    return open_scenario(lab, whole, status);
 }
 
 /* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
@@ -267,12 +262,12 @@ static void narrow_to_text(Laboratory *lab, const char *key)
 }
 
 /* What was typed is a name or a path; where it is neither, the first scenario left in the list is meant. */
-static bool answer_scenario(Laboratory *lab, const char *text)
+static bool answer_scenario(Laboratory *lab, const char *text, Status *status)
 {
     const ScenarioList *list = &lab->prompting.scenarios;
     if (text[0] && list->n_shown > 0 && !scenario_builtin(text) && access(text, F_OK) != 0)
         text = list->entries[list->shown[0]].name;
-    return opening_answer(lab, text);
+    return opening_answer(lab, text, status);
 }
 
 static const Typing typing = {.key = choose_by_key, .offer = complete_scenarios, .typed = narrow_to_text};

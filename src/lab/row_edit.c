@@ -47,7 +47,7 @@ static bool apply(Laboratory *lab, const Settings *settings, Status *status)
     return edit_change(lab, settings, experiment_edit, status);
 }
 
-bool row_edit_line(Laboratory *lab, int kind, const char *words, Status *status)
+bool row_edit_line(Laboratory *lab, const char *words, int kind, Status *status)
 {
     Settings settings = *laboratory_settings(lab);
     char name[KEY_MAX];
@@ -226,7 +226,7 @@ static void begin_placing(Laboratory *lab, int kind, int row, int end)
     if (!screen->views.upper->is_map && !screen->views.lower->is_map) {
         char line[48];
         snprintf(line, sizeof line, "show %s", view_of_map()->word);
-        lab->run_line(lab, line);
+        lab->run_line(lab, line, NULL);
     }
     screen->panes.focus = PANE_PARAMETERS;
     player_pause(lab);

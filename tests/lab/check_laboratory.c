@@ -631,7 +631,7 @@ END_TEST
 START_TEST(the_log_of_a_duel_tells_of_both)
 {
     Bench *bench = open_bench("crossing", true);
-    ck_assert(line_run(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07"));
+    ck_assert(line_run(&bench->lab, "duel mpm.algorithm=usl time.courant=0.07", NULL));
     ck_assert_ptr_nonnull(bench->lab.player.duel.b);
     press_all(bench, "g # 1 0 0 0 Enter");
     while (bench->lab.screen.playback->state == STATE_COMPUTING)
@@ -671,7 +671,7 @@ START_TEST(arrows_leave_a_node_that_a_coarser_mesh_lacks)
     Screen *screen = &bench->lab.screen;
     screen->chosen.is_node = true;
     screen->chosen.node = experiment_simulation(screen->experiment)->counts[1] - 1;
-    ck_assert(line_run(&bench->lab, "mesh.cell_size=5"));
+    ck_assert(line_run(&bench->lab, "mesh.cell_size=5", NULL));
     screen->panes.focus = _i ? PANE_INSPECTOR : PANE_MESH;
     press(bench, "Left");
     ck_assert_uint_eq(screen->chosen.node, experiment_simulation(screen->experiment)->counts[1] - 2);

@@ -283,6 +283,7 @@ static double end_of(const Bench *bench)
 static void satisfy(Bench *bench, const LessonUntil *until)
 {
     char line[160];
+    Status status = {STATUS_DONE, ""};
     Laboratory *lab = &bench->lab;
     const bool steps = until->kind == UNTIL_STAGE || until->kind == UNTIL_STEP;
     switch (until->kind) {
@@ -308,12 +309,11 @@ static void satisfy(Bench *bench, const LessonUntil *until)
         break;
     case UNTIL_VALUE:
         snprintf(line, sizeof line, "set %s %s", until->word, until->value);
-        ck_assert_msg(line_run(lab, line), "%s", lab->screen.prompt->problem);
+        ck_assert_msg(line_run(lab, line, &status), "%s", status.text);
         break;
     case UNTIL_GOAL:
         for (int i = 0; i < page_of(bench)->solution.n_actions; i++)
-            ck_assert_msg(line_run(lab, page_of(bench)->solution.actions[i]), "%s",
-                          lab->screen.prompt->problem);
+            ck_assert_msg(line_run(lab, page_of(bench)->solution.actions[i], &status), "%s", status.text);
         finish_work(bench);
         player_seek(lab, experiment_last_step(lab->screen.experiment), 0);
         break;

@@ -26,11 +26,11 @@ extern const int n_command_functions;
 #undef DIGIT
 
 /* time_commands.c: they answer the `:` line. */
-bool command_answer_go_to(Laboratory *, const char *text);
-bool command_answer_until(Laboratory *, const char *text);
-bool command_answer_event(Laboratory *, const char *text);
-bool command_answer_magnify(Laboratory *, const char *text);
-bool command_answer_loop(Laboratory *, const char *text);
+bool command_answer_go_to(Laboratory *, const char *text, Status *);
+bool command_answer_until(Laboratory *, const char *text, Status *);
+bool command_answer_event(Laboratory *, const char *text, Status *);
+bool command_answer_magnify(Laboratory *, const char *text, Status *);
+bool command_answer_loop(Laboratory *, const char *text, Status *);
 
 /* move_commands.c */
 void command_close_inspector(Screen *);
@@ -56,6 +56,6 @@ void command_second_open(Laboratory *); /* of a scenario that has keys for one *
 
 /* Begins with the scenario's keys, or ends; asks where there are no keys. */
 void command_second_toggle(Laboratory *);
-bool command_second_answer(Laboratory *, const char *words); /* "KEY=VALUE ..." */
+bool command_second_answer(Laboratory *, const char *words, Status *); /* "KEY=VALUE ..." */
 
 #endif

@@ -116,19 +116,18 @@ void command_second_open(Laboratory *lab)
         laboratory_say(lab, MESSAGE_WARNING, "no duel: %s", status.text);
 }
 
-bool command_second_answer(Laboratory *lab, const char *words)
+bool command_second_answer(Laboratory *lab, const char *words, Status *status)
 {
     Assignment keys[DUEL_MAX];
-    Status status = {STATUS_DONE, ""};
-    const int n_keys = duel_read_keys(words, keys, &status);
+    const int n_keys = duel_read_keys(words, keys, status);
     for (int i = 0; i < n_keys; i++) {
         const Assignment typed = keys[i];
-        if (!settings_resolve_key(laboratory_settings(lab), typed.key, keys[i].key, &status))
-            return prompt_refuse(lab, "%s", status.text);
+        if (!settings_resolve_key(laboratory_settings(lab), typed.key, keys[i].key, status))
+            return false;
     }
     if (n_keys == 0)
-        return prompt_refuse(lab, "KEY=VALUE is expected, as in mpm.algorithm=usl; Tab completes");
-    return (n_keys > 0 && begin(lab, keys, n_keys, &status)) || prompt_refuse(lab, "%s", status.text);
+        return status_refuse(status, "KEY=VALUE is expected, as in mpm.algorithm=usl; Tab completes");
+    return n_keys > 0 && begin(lab, keys, n_keys, status);
 }
 
 static void suggest(Laboratory *lab, int direction)

@@ -86,9 +86,10 @@ static bool show_progress(double share, void *context)
     return laboratory_work(context, "exporting %d %%   ^C cancels", (int)(100 * share));
 }
 
-static bool answer_replace(Laboratory *lab, const char *text)
+static bool answer_replace(Laboratory *lab, const char *text, Status *status)
 {
     (void)text;
+    (void)status;
     return lab->exporting.write(lab, true);
 }
 
@@ -187,27 +188,20 @@ static bool write_export(Laboratory *lab, bool force)
     return true;
 }
 
-/* An answer that is the name of a file: whether it can be one. If not, the prompt stays and says why. */
-static bool exporting_name_fits(Laboratory *lab, const char *name)
-{
-    Status status = {STATUS_DONE, ""};
-    return output_may_begin(name, lab->asker, true, &status) || prompt_refuse(lab, "%s", status.text);
-}
-
-static bool export_named(Laboratory *lab, const char *text)
+static bool export_named(Laboratory *lab, const char *text, Status *status)
 {
     char found[PATH_BYTES + 4], name[NAME_MAX_BYTES], paths[EXPORTS][PATH_BYTES];
     size_t length = strlen(text);
     if (figure_is_name(text))
-        return exporting_figure(lab, text);
+        return exporting_figure(lab, text, status);
     if (length > 4 && strcmp(text + length - 4, ".csv") == 0)
         length -= 4;
     if (length == 0)
-        return prompt_refuse(lab, "a name is expected");
+        return status_refuse(status, "a name is expected");
     snprintf(name, sizeof name, "%.*s", (int)length, text); /* the text may be the name already */
     memcpy(lab->exporting.name, name, sizeof name);
     file_names(&lab->player.duel, 0, name, paths);
-    if (!exporting_name_fits(lab, paths[0]))
+    if (!output_may_begin(paths[0], lab->asker, true, status))
         return false;
     find_existing(&lab->player.duel, lab->exporting.name, found);
     return write_or_ask(lab, write_export, found);
@@ -269,13 +263,13 @@ static void ask_name(Laboratory *lab)
                  SPREADSHEET_ROWS, every * settings_output(laboratory_settings(lab))->every);
 }
 
-static bool answer_which(Laboratory *lab, const char *text)
+static bool answer_which(Laboratory *lab, const char *text, Status *status)
 {
     lab->exporting.newest = strcmp(text, "newest") == 0;
     if (!lab->exporting.newest && strcmp(text, "here") != 0)
-        return prompt_refuse(lab, "here or newest");
+        return status_refuse(status, "here or newest");
     if (lab->exporting.name[0])
-        return export_named(lab, lab->exporting.name);
+        return export_named(lab, lab->exporting.name, status);
     ask_name(lab);
     return true;
 }
@@ -284,10 +278,10 @@ static const char nothing_computed[] = "nothing has been computed yet: Esc, then
 static const char computing[] = "wait until the run has come to its time, or cancel with Esc";
 
 /* Who types a name without looking up types it into a question, where it does nothing. */
-static bool answer_in_vain(Laboratory *lab, const char *text)
+static bool answer_in_vain(Laboratory *lab, const char *text, Status *status)
 {
     (void)text;
-    return prompt_refuse(lab, "%s",
+    return status_refuse(status, "%s",
                          lab->player.playback.state == STATE_COMPUTING ? computing : nothing_computed);
 }
 
@@ -298,7 +292,7 @@ static void refuse(Laboratory *lab, const char *why)
     snprintf(prompt->hint, sizeof prompt->hint, "%s", why);
 }
 
-bool exporting_ask(Laboratory *lab, const char *name)
+bool exporting_ask(Laboratory *lab, const char *name, Status *status)
 {
     Experiment *experiment = laboratory_run(lab);
     player_pause(lab);
@@ -314,7 +308,7 @@ bool exporting_ask(Laboratory *lab, const char *name)
     else if (!inside && experiment_step(experiment) < experiment_newest(experiment))
         prompt_ask(lab, answer_which, false, "newest", "export to here or to the newest time?");
     else if (name[0])
-        return export_named(lab, name);
+        return export_named(lab, name, status);
     else
         ask_name(lab);
     return true;
@@ -367,25 +361,22 @@ static const View *take_view(const Screen *screen, const char **words)
     return named;
 }
 
-bool exporting_figure(Laboratory *lab, const char *words)
+bool exporting_figure(Laboratory *lab, const char *words, Status *status)
 {
-    Status status = {STATUS_DONE, ""};
     const Screen *screen = &lab->screen;
     const char *file = words;
     const View *view = take_view(screen, &file);
     if (!*file)
-        return prompt_refuse(lab, "a file is expected: FILE.svg, .pdf, .png, .tex or .gp");
-    if (!figure_allowed(file, &status))
-        return prompt_refuse(lab, "%s", status.text);
-    if (!exporting_name_fits(lab, file))
+        return status_refuse(status, "a file is expected: FILE.svg, .pdf, .png, .tex or .gp");
+    if (!figure_allowed(file, status) || !output_may_begin(file, lab->asker, true, status))
         return false;
     if (view_missing(view, screen))
-        return prompt_refuse(lab, "%s", view_missing(view, screen));
+        return status_refuse(status, "%s", view_missing(view, screen));
     player_pause(lab);
     if (lab->player.playback.state == STATE_COMPUTING)
-        return prompt_refuse(lab, "wait until the run has come to its time, or cancel with Esc");
+        return status_refuse(status, "wait until the run has come to its time, or cancel with Esc");
     if (!view_makes_figure(view, screen))
-        return prompt_refuse(lab, "this view makes no figure: name another, as in figure probe probe.svg");
+        return status_refuse(status, "this view makes no figure: name another, as in figure probe probe.svg");
     char name[NAME_MAX_BYTES];
     snprintf(name, sizeof name, "%s", file); /* the text may be the name already */
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", name);
@@ -423,11 +414,11 @@ static bool write_scenario(Laboratory *lab, bool force)
     return true;
 }
 
-bool exporting_scenario(Laboratory *lab, const char *text)
+bool exporting_scenario(Laboratory *lab, const char *text, Status *status)
 {
     if (!text[0] || output_is_standard(text))
-        return prompt_refuse(lab, "a file name is expected");
-    if (!exporting_name_fits(lab, text))
+        return status_refuse(status, "a file name is expected");
+    if (!output_may_begin(text, lab->asker, true, status))
         return false;
     snprintf(lab->exporting.name, sizeof lab->exporting.name, "%s", text);
     return write_or_ask(lab, write_scenario, access(text, F_OK) == 0 && !output_is_direct(text) ? text : "");

@@ -3,7 +3,7 @@
 #ifndef LAB_COMMANDS_EXPORTING_H
 #define LAB_COMMANDS_EXPORTING_H
 
-#include <stdbool.h>
+#include "base/status.h"
 
 typedef struct Laboratory Laboratory;
 typedef struct View View;
@@ -20,13 +20,13 @@ typedef struct Exporting {
 
 /* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.
  */
-bool exporting_ask(Laboratory *, const char *name);
+bool exporting_ask(Laboratory *, const char *name, Status *);
 
 /* "[VIEW] FILE": a view, or else the focused one, as a figure. False: refused, as an answer to a prompt. */
-bool exporting_figure(Laboratory *, const char *words);
+bool exporting_figure(Laboratory *, const char *words, Status *);
 
 /* Writing the scenario as a file. */
 void exporting_scenario_ask(Laboratory *);
-bool exporting_scenario(Laboratory *, const char *text);
+bool exporting_scenario(Laboratory *, const char *text, Status *);
 
 #endif

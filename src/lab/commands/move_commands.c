@@ -114,14 +114,14 @@ void command_move_finely(Laboratory *lab, int x)
 static bool enter_row(Laboratory *lab, const View *view)
 {
     char line[FOLLOW_TEXT_MAX + 8] = "plot ";
+    Status status = {STATUS_DONE, ""};
     const long step = view_enter(view, &lab->screen, line + strlen(line));
     if (step >= 0) {
         player_go_to(lab, step);
     } else if (lesson_entry_page(lab)) {
         return false;
-    } else if (line[strlen("plot ")] && !lab->run_line(lab, line)) {
-        laboratory_say(lab, MESSAGE_ERROR, "%s", lab->prompting.shown.problem);
-        prompt_close(&lab->prompting);
+    } else if (line[strlen("plot ")] && !lab->run_line(lab, line, &status)) {
+        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     }
     return true;
 }
@@ -284,14 +284,14 @@ void command_map_zoom(Laboratory *lab)
     look_at_something(screen);
 }
 
-bool command_answer_magnify(Laboratory *lab, const char *text)
+bool command_answer_magnify(Laboratory *lab, const char *text, Status *status)
 {
     Screen *screen = &lab->screen;
     double times;
     if (!simulation_has_map(laboratory_simulation(lab)))
-        return prompt_refuse(lab, "there is no map of a bar (only of a beam or plate)");
+        return status_refuse(status, "there is no map of a bar (only of a beam or plate)");
     if (!text_to_double(text, &times) || !(times >= 1 && times <= MOST_MAGNIFIED))
-        return prompt_refuse(lab, "a number from 1 to 1024, as in 16");
+        return status_refuse(status, "a number from 1 to 1024, as in 16");
     if (!screen->views.upper->is_map && !screen->views.lower->is_map)
         screen->views.upper = view_of_map();
     command_map_whole(screen);

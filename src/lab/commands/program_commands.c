@@ -6,7 +6,7 @@
 
 void command_export(Laboratory *lab)
 {
-    exporting_ask(lab, "");
+    exporting_ask(lab, "", NULL);
 }
 
 void command_filter(Laboratory *lab)
@@ -27,9 +27,10 @@ void command_help_pages(Laboratory *lab)
     lab->help.page = lab->help.scroll = lab->help.found = 0;
 }
 
-static bool answer_quit(Laboratory *lab, const char *text)
+static bool answer_quit(Laboratory *lab, const char *text, Status *status)
 {
     (void)text;
+    (void)status;
     lab->closed = true;
     return true;
 }
@@ -39,7 +40,7 @@ static bool quit_key(Laboratory *lab, const char *key)
     if (strcmp(key, "q") != 0 && strcmp(key, "F10") != 0)
         return false;
     /* Enter or Esc does not answer, and the keys behind it must not become commands */
-    prompt_refuse(lab, "y leaves, n stays");
+    strcpy(lab->prompting.shown.problem, "y leaves, n stays");
     return true;
 }
 

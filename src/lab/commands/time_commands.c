@@ -29,9 +29,10 @@ static void begin_again(Laboratory *lab, bool running)
     player_tell_duel_over(lab, &status);
 }
 
-static bool answer_again(Laboratory *lab, const char *text)
+static bool answer_again(Laboratory *lab, const char *text, Status *status)
 {
     (void)text;
+    (void)status;
     begin_again(lab, true);
     return true;
 }
@@ -168,23 +169,23 @@ void command_to_newest(Laboratory *lab)
     player_go_to(lab, experiment_newest(laboratory_run(lab)));
 }
 
-bool command_answer_go_to(Laboratory *lab, const char *text)
+bool command_answer_go_to(Laboratory *lab, const char *text, Status *status)
 {
     long step = 0;
     double time = 0, dt = laboratory_simulation(lab)->dt;
     long last = experiment_last_step(laboratory_run(lab));
     if (text[0] == '#') {
         if (!text_to_long(text + 1, &step))
-            return prompt_refuse(lab, "after # comes the number of a step, as in #1000");
+            return status_refuse(status, "after # comes the number of a step, as in #1000");
     } else if (stop_read_time(text, laboratory_run(lab), &time)) {
         step = time / dt > (double)last ? last + 1 : time < 0 ? -1 : lround(time / dt);
         /* the last step may end a little before time.end; who types that means the end */
         if (time > (double)last * dt && time <= settings_time(laboratory_settings(lab))->end * (1 + 1e-9))
             step = last;
     } else
-        return prompt_refuse(lab, "a time, as in 12.5, or a step, as in #1000");
+        return status_refuse(status, "a time, as in 12.5, or a step, as in #1000");
     if (step < 0 || step > last) {
-        return prompt_refuse(lab, "the run goes from 0 to %s (#0 to #%ld)",
+        return status_refuse(status, "the run goes from 0 to %s (#0 to #%ld)",
                              text_rounded((double)last * dt, 6).text, last);
     }
     player_go_to(lab, step);
@@ -290,12 +291,11 @@ static bool go_to_first(Laboratory *lab, const Stop *stop)
     return false;
 }
 
-bool command_answer_until(Laboratory *lab, const char *text)
+bool command_answer_until(Laboratory *lab, const char *text, Status *status)
 {
     const Experiment *experiment = laboratory_run(lab);
     const bool first = strncmp(text, "first ", 6) == 0;
     Stop stop = {.kind = STOP_NEVER};
-    Status status = {STATUS_DONE, ""};
     if (!*text) {
         laboratory_tell(lab,
                         lab->player.playback.until[0] ? "the run does not stop at %s any more"
@@ -305,15 +305,15 @@ bool command_answer_until(Laboratory *lab, const char *text)
         return true;
     }
     text += first ? 6 + strspn(text + 6, " ") : 0;
-    if (!stop_read(&stop, text, experiment, &status))
-        return prompt_refuse(lab, "%s", status.text);
+    if (!stop_read(&stop, text, experiment, status))
+        return false;
     if (first && go_to_first(lab, &stop))
         return true;
     const long step = stop_step(&stop, experiment);
     if (step >= 0 && step <= experiment_step(experiment)) {
         player_go_to(lab, step);
     } else if (experiment_at_end(experiment) || lab->player.playback.state == STATE_FAILED)
-        return prompt_refuse(lab, "the run is at its end: r begins it again");
+        return status_refuse(status, "the run is at its end: r begins it again");
     else
         run_to(lab, &stop);
     return true;
@@ -329,18 +329,19 @@ static void go_to_event(Laboratory *lab, const Event *events, int at, int count)
     laboratory_tell(lab, "event %d of %d: %s", at + 1, count, events[at].text);
 }
 
-bool command_answer_event(Laboratory *lab, const char *text)
+bool command_answer_event(Laboratory *lab, const char *text, Status *status)
 {
     int count;
     const Event *events = experiment_events(laboratory_run(lab), &count);
-    char why[96];
     long number;
     if (text_to_long(text, &number) && number >= 1 && number <= count) {
         go_to_event(lab, events, (int)number - 1, count);
         return true;
     }
-    snprintf(why, sizeof why, "which event? (1 to %d so far; :until event runs on to the next)", count);
-    return prompt_refuse(lab, "%s", count > 0 ? why : "no event so far; :until event runs on to one");
+    return status_refuse(status,
+                         count > 0 ? "which event? (1 to %d so far; :until event runs on to the next)"
+                                   : "no event so far; :until event runs on to one",
+                         count);
 }
 
 void command_next_event(Laboratory *lab)
@@ -397,7 +398,7 @@ static bool read_times(const char *text, const Experiment *experiment, double *f
            stop_read_time(text + length + (word ? 4 : 0), experiment, to);
 }
 
-bool command_answer_loop(Laboratory *lab, const char *text)
+bool command_answer_loop(Laboratory *lab, const char *text, Status *status)
 {
     const double dt = laboratory_simulation(lab)->dt;
     const double end = (double)experiment_last_step(laboratory_run(lab)) * dt;
@@ -413,8 +414,8 @@ bool command_answer_loop(Laboratory *lab, const char *text)
     } else if (!read_times(text, laboratory_run(lab), &loop.from, &loop.to) || !(loop.from >= 0) ||
                !(loop.to <= end * (1 + 1e-9)) || !(loop.to >= loop.from + dt * (1 - 1e-9))) {
         const NumberText last = text_rounded(end, 6);
-        return prompt_refuse(lab, "two times are expected, as in loop 0 %s, the second at most %s", last.text,
-                             last.text);
+        return status_refuse(status, "two times are expected, as in loop 0 %s, the second at most %s",
+                             last.text, last.text);
     }
     player_pause(lab);
     player_loop(lab, &loop);

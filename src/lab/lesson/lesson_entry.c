@@ -111,11 +111,11 @@ static void run_line(Laboratory *lab, const char *line)
     const CommandSet used = lab->play.used, hinted = lab->used;
     const Asker user = lab->asker;
     lab->asker = ASKER_LESSON;
-    const bool done = lab->run_line(lab, line);
+    Status status = {STATUS_DONE, ""};
+    const bool done = lab->run_line(lab, line, &status);
     lab->asker = user;
     if (!done) {
-        snprintf(lab->play.refused, sizeof lab->play.refused, "%.80s: %.200s", line,
-                 lab->prompting.shown.problem);
+        snprintf(lab->play.refused, sizeof lab->play.refused, "%.80s: %.200s", line, status.text);
         laboratory_say(lab, MESSAGE_ERROR, "%s", lab->play.refused);
     }
     if (done && lesson_opening(line))

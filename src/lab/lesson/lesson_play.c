@@ -21,11 +21,11 @@ static void reveal(Laboratory *lab)
     lesson_entry_reveal(lab);
 }
 
-static bool take_words(Laboratory *lab, const char *text)
+static bool take_words(Laboratory *lab, const char *text, Status *status)
 {
     ExerciseMark *mark = lesson_judge_mark(lab);
     if (!text[strspn(text, " ")])
-        return prompt_refuse(lab, "a few words are expected");
+        return status_refuse(status, "a few words are expected");
     mark->tries++;
     snprintf(mark->value, sizeof mark->value, "%s", text);
     lesson_judge_say(lab, true, "Kept for the teacher.");
@@ -45,18 +45,17 @@ static void note_number(ExerciseMark *mark, const Exercise *exercise, double rig
     exercise_write_number(right, mark->right_answer);
 }
 
-static bool take_number(Laboratory *lab, const char *text)
+static bool take_number(Laboratory *lab, const char *text, Status *status)
 {
     const Exercise *exercise = lesson_entry_page(lab) ? lesson_entry_page(lab)->exercise : NULL;
     char verdict[ANSWER_MAX + 40];
     double given, right;
-    Status status = {STATUS_DONE, ""};
     if (!exercise_read_number(text, &given))
-        return prompt_refuse(lab, "a number is expected");
+        return status_refuse(status, "a number is expected");
     if (!exercise || exercise->kind != EXERCISE_NUMBER)
         return true; /* another page was turned to meanwhile */
-    if (!lesson_judge_number(lab, &right, &status))
-        return prompt_refuse(lab, "%s", status.text);
+    if (!lesson_judge_number(lab, &right, status))
+        return false;
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     note_number(lesson_judge_mark(lab), exercise, right, given);
     if (!isfinite(right)) {
@@ -157,12 +156,6 @@ void lesson_play_toggle(Laboratory *lab)
     lab->play.shown.open = true;
     lab->play.shown.scroll = 0;
     lab->screen.panes.focus = PANE_PARAMETERS;
-}
-
-bool lesson_play_answer(Laboratory *lab, const char *text)
-{
-    Status status = {STATUS_DONE, ""};
-    return lesson_play_open(lab, text, &status) || prompt_refuse(lab, "%s", status.text);
 }
 
 static void open_from_list(Laboratory *lab, int lesson)
@@ -336,7 +329,7 @@ static int page_with(const char *name, const char *words)
     return found;
 }
 
-static bool answer_search(Laboratory *lab, const char *text)
+static bool answer_search(Laboratory *lab, const char *text, Status *status)
 {
     LessonShown *shown = &lab->play.shown;
     const int count = screen_lesson_count();
@@ -350,7 +343,7 @@ static bool answer_search(Laboratory *lab, const char *text)
             return true;
         }
     }
-    return !*text || prompt_refuse(lab, "no lesson has these words");
+    return !*text || status_refuse(status, "no lesson has these words");
 }
 
 void lesson_play_search(Laboratory *lab)

@@ -137,7 +137,6 @@ void lesson_play_continue(Laboratory *);
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 
 bool lesson_play_open(Laboratory *, const char *name, Status *);
-bool lesson_play_answer(Laboratory *, const char *text);
 void lesson_play_close(Laboratory *);
 void lesson_play_toggle(Laboratory *);
 bool lesson_play_turn(Laboratory *, int direction); /* false: the keys are not those of a page */

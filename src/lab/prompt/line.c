@@ -49,16 +49,6 @@ static void recall(Prompting *prompting, int direction)
 
 /* --- verbs ------------------------------------------------------------------------------------------ */
 
-static bool assign(Laboratory *lab, const char *key, const char *value)
-{
-    Settings settings = *laboratory_settings(lab);
-    Status status = {STATUS_DONE, ""};
-    return (settings_change(&settings, key, value, &status) &&
-            view_check(&settings, laboratory_settings(lab), &status) &&
-            edit_change(lab, &settings, experiment_edit, &status)) ||
-           prompt_refuse(lab, "%s", status.text);
-}
-
 /* Whether so many bytes mean a key, or several. */
 static bool means_key(const Laboratory *lab, const char *words, size_t length)
 {
@@ -85,20 +75,21 @@ static size_t key_length(const Laboratory *lab, const char *words)
 }
 
 /* "KEY = VALUE" and, behind `set`, also "KEY VALUE"; the key by its end or by its label too. */
-static bool set(Laboratory *lab, const char *words)
+static bool set(Laboratory *lab, const char *words, Status *status)
 {
     char called[KEY_MAX], key[KEY_MAX];
-    Status status = {STATUS_DONE, ""};
     const size_t length = key_length(lab, words);
     const char *value = words + length + strspn(words + length, " ");
     if (*value == '=')
         value += 1 + strspn(value + 1, " ");
     if (length == 0 || length >= sizeof called || !*value)
-        return prompt_refuse(lab, "a key and a value are expected, as in set initial.mode 5");
+        return status_refuse(status, "a key and a value are expected, as in set initial.mode 5");
     snprintf(called, sizeof called, "%.*s", (int)length, words);
-    return settings_resolve_key(laboratory_settings(lab), called, key, &status)
-               ? assign(lab, key, value)
-               : prompt_refuse(lab, "%s", status.text);
+    Settings settings = *laboratory_settings(lab);
+    return settings_resolve_key(&settings, called, key, status) &&
+           settings_change(&settings, key, value, status) &&
+           view_check(&settings, laboratory_settings(lab), status) &&
+           edit_change(lab, &settings, experiment_edit, status);
 }
 
 /* The next word, or what stands between quotes; false: there is none. */
@@ -128,12 +119,11 @@ static void drop_overlay(Laboratory *lab)
     lab->diagnosis[0] = '\0';
 }
 
-static bool overlay(Laboratory *lab, const char *words)
+static bool overlay(Laboratory *lab, const char *words, Status *status)
 {
     char path[NAME_MAX_BYTES], x[OVERLAY_NAME_MAX], y[OVERLAY_NAME_MAX];
     Screen *screen = &lab->screen;
     Overlay read;
-    Status status = {STATUS_DONE, ""};
     if (!take_word(&words, path, sizeof path)) {
         laboratory_tell(lab, screen->overlay ? "%s is taken away" : "no series lies over the plots",
                         lab->overlay.file);
@@ -141,12 +131,12 @@ static bool overlay(Laboratory *lab, const char *words)
         return true;
     }
     const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
-    if (!overlay_load(&read, path, reading, lab, &status))
-        return prompt_refuse(lab, "%s", status.text);
+    if (!overlay_load(&read, path, reading, lab, status))
+        return false;
     if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, view_time_curve(screen),
-                        view_profile_curve(screen), &status)) {
+                        view_profile_curve(screen), status)) {
         overlay_close(&read);
-        return prompt_refuse(lab, "%s", status.text);
+        return false;
     }
     drop_overlay(lab);
     lab->overlay = read;
@@ -167,7 +157,7 @@ static int variant_of(const View *view, const Screen *screen, const char *which)
     return view_variant_named(view, screen, which) + 1;
 }
 
-static bool show(Laboratory *lab, const char *words)
+static bool show(Laboratory *lab, const char *words, Status *status)
 {
     char word[32] = "", which[32] = "", known[160];
     int first = 0, second = 0;
@@ -178,12 +168,12 @@ static bool show(Laboratory *lab, const char *words)
     const int variant = !view || !which[0] ? 1 : variant_of(view, &lab->screen, which);
     view_names(known, sizeof known);
     if (!sound || !view)
-        return prompt_refuse(
-            lab, "a view is expected (%s), and its variant, as in show probe angle or show 1 2", known);
+        return status_refuse(
+            status, "a view is expected (%s), and its variant, as in show probe angle or show 1 2", known);
     if (view_missing(view, &lab->screen))
-        return prompt_refuse(lab, "%s", view_missing(view, &lab->screen));
+        return status_refuse(status, "%s", view_missing(view, &lab->screen));
     if (variant < 1)
-        return prompt_refuse(lab, "%s has no variant %s (1 to %d)", word, which,
+        return status_refuse(status, "%s has no variant %s (1 to %d)", word, which,
                              view_variants(view, &lab->screen));
     command_show_view(lab, view);
     view_choose_variant(view, &lab->screen, variant - 1);
@@ -191,13 +181,13 @@ static bool show(Laboratory *lab, const char *words)
 }
 
 /* In words, by who shows them as lines, or else as far as the key line has room. */
-static bool tell(Laboratory *lab, const char *words)
+static bool tell(Laboratory *lab, const char *words, Status *status)
 {
     Words told = {.text = NULL};
     char known[256];
     tell_names(known, sizeof known);
     if (!tell_named(&lab->screen, words, &told))
-        return prompt_refuse(lab, "tell what? (%s)", known);
+        return status_refuse(status, "tell what? (%s)", known);
     for (char *end = told.text; end && !lab->host.tell && (end = strchr(end, '\n'));)
         *end = ' ';
     if (told.text && lab->host.tell)
@@ -208,40 +198,40 @@ static bool tell(Laboratory *lab, const char *words)
     return true;
 }
 
-static bool references(Laboratory *lab, const char *words)
+static bool references(Laboratory *lab, const char *words, Status *status)
 {
     const int which = text_place_in(words, parameter_reference_words);
     if (which >= 0)
         lab->screen.views.references = (ReferencesShown)which;
-    return which >= 0 || prompt_refuse(lab, "which reference curves? (all | exact | predicted | none)");
+    return which >= 0 || status_refuse(status, "which reference curves? (all | exact | predicted | none)");
 }
 
-static bool sheet(Laboratory *lab, const char *words)
+static bool sheet(Laboratory *lab, const char *words, Status *status)
 {
     const int which = text_place_in(words, parameter_sheet_words);
     if (which >= 0)
         command_show_sheet(lab, (Sheet)which);
     else if (!*words)
         command_sheet(lab);
-    return which >= 0 || !*words || prompt_refuse(lab, "which sheet? (plain | full)");
+    return which >= 0 || !*words || status_refuse(status, "which sheet? (plain | full)");
 }
 
 /* Which of one of the simulation's sets: particles, nodes. */
-static bool choose(Laboratory *lab, const char *words, int set)
+static bool choose(Laboratory *lab, const char *words, int set, Status *status)
 {
     static const char *const what[] = {"particle", "node"};
     const Simulation *sim = laboratory_simulation(lab);
     const long count = set < sim->n_sets ? (long)sim->counts[set] : 0;
     long number;
     if (!text_to_long(words, &number) || number < 0 || number >= count)
-        return prompt_refuse(lab, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run",
+        return status_refuse(status, count > 0 ? "which %s? (0 to %ld)" : "there is no %s in this run",
                              what[set], count - 1);
     *(set ? &lab->screen.chosen.node : &lab->screen.chosen.particle) = (size_t)number;
     lab->screen.chosen.is_node = set > 0;
     return true;
 }
 
-static bool help_on(Laboratory *lab, const char *words)
+static bool help_on(Laboratory *lab, const char *words, Status *status)
 {
     const Command *command = *words ? command_by_name(words) : command_find(COMMAND_HELP);
     const LineVerb *verb = line_verb_find(words, strlen(words));
@@ -263,8 +253,8 @@ static bool help_on(Laboratory *lab, const char *words)
     else if (scenario_builtin(words) && scenario_title(scenario_builtin(words), title))
         laboratory_tell(lab, "%s: %s", words, title);
     else
-        return prompt_refuse(
-            lab, "help on what? (a command, a word after :, a view, a parameter or a scenario; all)");
+        return status_refuse(
+            status, "help on what? (a command, a word after :, a view, a parameter or a scenario; all)");
     return true;
 }
 
@@ -285,19 +275,18 @@ static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_
 }
 
 /* Its column is shown in the probe view. */
-static bool plot(Laboratory *lab, const char *words)
+static bool plot(Laboratory *lab, const char *words, Status *status)
 {
     Screen *screen = &lab->screen;
     Settings settings = *laboratory_settings(lab);
-    Status status = {STATUS_DONE, ""};
     char thing[FOLLOW_TEXT_MAX], *follow = settings_edit_output(&settings)->follow;
     name_thing(screen, words, thing);
     if (!*words)
         memset(follow, 0, sizeof settings_output(&settings)->follow);
     else if (!text_list_add(follow, sizeof settings_output(&settings)->follow, thing))
-        return prompt_refuse(lab, "too many things are followed: plot alone ends them");
-    if (!edit_change(lab, &settings, experiment_edit, &status))
-        return prompt_refuse(lab, "%s", status.text);
+        return status_refuse(status, "too many things are followed: plot alone ends them");
+    if (!edit_change(lab, &settings, experiment_edit, status))
+        return false;
     const Simulation *sim = laboratory_simulation(lab);
     const View *view = view_named("probe");
     if (!*words) {
@@ -310,17 +299,11 @@ static bool plot(Laboratory *lab, const char *words)
     return true;
 }
 
-static bool set_row(Laboratory *lab, const char *words, int kind)
-{
-    Status status = {STATUS_DONE, ""};
-    return row_edit_line(lab, kind, words, &status) || prompt_refuse(lab, "%s", status.text);
-}
-
 #define LINE(id, function, ...)        [LINE_##id] = {function, NULL, 0},
 #define LINE_BY(id, function, by, ...) [LINE_##id] = {NULL, function, by},
 static const struct {
-    bool (*run)(Laboratory *, const char *words);
-    bool (*run_by)(Laboratory *, const char *words, int by); /* in place of it */
+    Answer run;
+    bool (*run_by)(Laboratory *, const char *words, int by, Status *); /* in place of it */
     int by;
 } verbs[LINE_COUNT] = {
 #include "help/line_rows.inc"
@@ -329,7 +312,7 @@ static const struct {
 
 /* --- the line --------------------------------------------------------------------------------------- */
 
-static bool answer_line(Laboratory *lab, const char *text)
+static bool answer_line(Laboratory *lab, const char *text, Status *status)
 {
     text += strspn(text, " :");
     char line[sizeof lab->prompting.shown.text];
@@ -339,11 +322,11 @@ static bool answer_line(Laboratory *lab, const char *text)
     if (!*line)
         return true;
     remember(&lab->prompting.past, line);
-    return line_run(lab, line);
+    return line_run(lab, line, status);
 }
 
 /* An unknown first word, with the nearest one that there is; or a command with more behind it. */
-static bool refuse_word(Laboratory *lab, const char *line, const char *words)
+static bool refuse_word(const Laboratory *lab, const char *line, const char *words, Status *status)
 {
     char word[64];
     snprintf(word, sizeof word, "%.*s", (int)strcspn(line, " "), line);
@@ -351,12 +334,12 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *words)
     if (fixed) {
         char text[sizeof lab->prompting.shown.problem];
         fixed_key_text(fixed, text, sizeof text);
-        return prompt_refuse(lab, "%s", text);
+        return status_refuse(status, "%s", text);
     }
     double time;
     if (command_by_name(word)) {
         const bool place = text_to_double(*words == '#' ? words + 1 : words, &time);
-        return prompt_refuse(lab,
+        return status_refuse(status,
                              place ? "%s takes no argument; :%.20s goes to %s%.20s" : "%s takes no argument",
                              word, words, *words == '#' ? "step " : "t = ", words + (*words == '#'));
     }
@@ -366,30 +349,31 @@ static bool refuse_word(Laboratory *lab, const char *line, const char *words)
     for (int i = 0; i < n_commands; i++)
         nearest_offer(&near, commands[i].name);
     const char *nearest = near.word;
-    return prompt_refuse(lab, "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is expected",
+    return status_refuse(status,
+                         "%s: unknown%s%s%s: a command (Tab completes), KEY=VALUE or a time is expected",
                          word, nearest ? " (did you mean " : "", nearest ? nearest : "", nearest ? "?)" : "");
 }
 
-bool line_run(Laboratory *lab, const char *text)
+bool line_run(Laboratory *lab, const char *text, Status *status)
 {
     const LineMeaning line = line_meaning(text);
     switch (line.kind) {
     case LINE_VERB: {
         const LineVerbId id = line.verb->id;
-        return verbs[id].run ? verbs[id].run(lab, line.words)
-                             : verbs[id].run_by(lab, line.words, verbs[id].by);
+        return verbs[id].run ? verbs[id].run(lab, line.words, status)
+                             : verbs[id].run_by(lab, line.words, verbs[id].by, status);
     }
     case LINE_COMMAND:
         lab->carry_out(lab, line.command->id);
         return true;
     case LINE_ASSIGNMENT:
-        return set(lab, text);
+        return set(lab, text, status);
     case LINE_PLACE:
-        return command_answer_go_to(lab, text);
+        return command_answer_go_to(lab, text, status);
     case LINE_UNKNOWN:
         break;
     }
-    return refuse_word(lab, text, line.words);
+    return refuse_word(lab, text, line.words, status);
 }
 
 /* --- the question ----------------------------------------------------------------------------------- */

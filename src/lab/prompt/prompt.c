@@ -48,16 +48,6 @@ void prompt_close(Prompting *prompting)
     prompting->shown = (Prompt){.open = false};
 }
 
-bool prompt_refuse(Laboratory *lab, const char *format, ...)
-{
-    Prompt *prompt = &lab->prompting.shown;
-    va_list arguments;
-    va_start(arguments, format);
-    visible_format(prompt->problem, sizeof prompt->problem, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
 /* The answer function may open the next prompt, so this one is closed before and put back if it refused. */
 static void submit(Laboratory *lab, const char *text)
 {
@@ -65,10 +55,11 @@ static void submit(Laboratory *lab, const char *text)
     Prompt asked = prompting->shown;
     const Answer answer = prompting->answer;
     const Typing *typing = prompting->typing;
+    Status status = {STATUS_DONE, ""};
     prompt_close(prompting);
-    if (answer(lab, text))
+    if (answer(lab, text, &status))
         return;
-    snprintf(asked.problem, sizeof asked.problem, "%s", prompting->shown.problem);
+    visible_text(asked.problem, sizeof asked.problem, status.text);
     prompting->shown = asked;
     prompting->answer = answer;
     prompting->typing = typing;

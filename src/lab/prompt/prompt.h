@@ -4,6 +4,7 @@
 #ifndef LAB_PROMPT_PROMPT_H
 #define LAB_PROMPT_PROMPT_H
 
+#include "base/status.h"
 #include "terminal/keys.h"
 #include "panes/entry.h"
 
@@ -21,8 +22,8 @@ typedef struct LineHistory {
     int count, at;                              /* at: the one on screen; count: the unfinished one */
 } LineHistory;
 
-/* Takes an answer to a prompt. False: refused, prompt.problem says why, the prompt stays. */
-typedef bool (*Answer)(Laboratory *, const char *text);
+/* Takes an answer to a prompt. False: refused, the status says why, and the prompt stays and shows it. */
+typedef bool (*Answer)(Laboratory *, const char *text, Status *);
 
 /* What is special about typing the answer to one kind of question; each member may be NULL. */
 typedef struct Completion Completion;
@@ -54,9 +55,6 @@ void prompt_ask_replace(Laboratory *, Answer, const char *name);
 void prompt_fill(Prompting *, const char *text); /* in place of what was typed; typing replaces it */
 void prompt_close(Prompting *);
 
-/* Says in the question that is open why its answer is not taken; returns false. */
-bool prompt_refuse(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 void prompt_key(Laboratory *, const Key *);
 
 /* complete.c: Tab, and what it offers in the questions that have something to offer. */
@@ -76,7 +74,7 @@ bool prompt_edit_line(char *text, size_t size, int *cursor, const char *key, boo
 
 void line_ask(Laboratory *);
 
-/* Does what a line says, without remembering it. False: screen.prompt->problem says why not. */
-bool line_run(Laboratory *, const char *line);
+/* Does what a line says, without remembering it. False: the status says why not. */
+bool line_run(Laboratory *, const char *line, Status *);
 
 #endif

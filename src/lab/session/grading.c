@@ -259,19 +259,14 @@ static bool turn_to(Grader *grader, int page, Status *status)
     return !*lab->play.refused || status_refuse(status, "page %d: %s", page + 1, lab->play.refused);
 }
 
-static bool run_line(Laboratory *lab, const char *line, Status *status)
-{
-    return lab->run_line(lab, line) || status_refuse(status, "%s: %s", line, lab->prompting.shown.problem);
-}
-
 /* The way that the lesson knows, to the end of its run. */
 static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *status)
 {
     Laboratory *lab = &grader->lab;
     bool goes_on = true;
     for (int i = 0; i < page->solution.n_actions; i++)
-        if (!run_line(lab, page->solution.actions[i], status))
-            return false;
+        if (!lab->run_line(lab, page->solution.actions[i], status))
+            return status_prefix(status, "%s", page->solution.actions[i]);
     player_go_to(lab, experiment_last_step(laboratory_run(lab)));
     for (bool any = true; goes_on && (any || lab->player.playback.state == STATE_COMPUTING); any = false)
         goes_on = frame(grader);
