@@ -6,12 +6,12 @@
 
 #include "base/assertion.h"
 #include "base/math/functions.h"
+#include "base/text.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Powers of ten by a table: pow(10, -3) is not 1e-3 everywhere, and pictures are compared exactly. */
 double axis_power_of_ten(int exponent)
@@ -93,8 +93,7 @@ Axis axis_with_ticks(Axis axis, int most)
     ASSERT_INT(most, >=, 0);
     Axis made = axis;
     most = most < 2 ? 2 : most > TICKS_MAX ? TICKS_MAX : most;
-    switch (axis.scale) {
-    case SCALE_LINEAR:
+    if (axis.scale == SCALE_LINEAR) {
         made = linear(axis.low, axis.high, most);
         /* steps of 2 are too many and those of 5 go beyond 4: 0 must not be the only tick */
         if (axis.symmetric && made.step > axis.high * (1 + 1e-9))
@@ -103,16 +102,11 @@ Axis axis_with_ticks(Axis axis, int most)
             made.step = 1;
             made.decimals = 0;
         }
-        break;
-    case SCALE_ROOT:
-        made.step = 1.0 / most;
-        break;
-    case SCALE_LOG: {
+    } else if (axis.scale == SCALE_LOG) {
         const int decades = decade_of(axis.high) - decade_of(axis.low), step = (decades + most - 1) / most;
         made.step = step < 1 ? 1 : step;
-        break;
-    }
-    }
+    } else
+        made.step = 1.0 / most;
     made.symmetric = axis.symmetric;
     made.whole = axis.whole;
     made.moves = axis.moves;
@@ -183,16 +177,10 @@ Axis axis_make_log(double low, double high)
 
 double axis_place(const Axis *axis, double value)
 {
-    switch (axis->scale) {
-    case SCALE_LINEAR:
-        break;
-    case SCALE_ROOT:
+    if (axis->scale == SCALE_ROOT)
         return value < 0 ? -sqrt(-value) : sqrt(value);
-    case SCALE_LOG:
-        return value > 0      ? math_log10(value)
-               : isnan(value) ? value
-                              : -400; /* below all that a double can be */
-    }
+    if (axis->scale == SCALE_LOG && !isnan(value))
+        return value > 0 ? math_log10(value) : -400; /* below all that a double can be */
     return value;
 }
 
@@ -259,22 +247,15 @@ int axis_ticks(const Axis *axis, double ticks[TICKS_MAX])
 
 void axis_label(const Axis *axis, double tick, char out[TICK_TEXT_MAX])
 {
-    if (axis->scale == SCALE_LOG) {
-        const int decade = decade_of(tick);
-        if (decade < -2 || decade > 3)
-            snprintf(out, TICK_TEXT_MAX, "1e%d", decade);
-        else
-            snprintf(out, TICK_TEXT_MAX, "%g", tick);
-        return;
-    }
-    if (axis->scale == SCALE_ROOT) {
+    const int decade = axis->scale == SCALE_LOG ? decade_of(tick) : 0;
+    const double scaled = tick / axis_power_of_ten(axis->exponent);
+    const bool nothing = fabs(scaled) < 0.5 * axis_power_of_ten(-axis->decimals); /* never "-0" */
+    if (axis->scale == SCALE_LINEAR)
+        snprintf(out, TICK_TEXT_MAX, "%.*f", axis->decimals, nothing ? 0 : scaled);
+    else if (decade < -2 || decade > 3)
+        snprintf(out, TICK_TEXT_MAX, "1e%d", decade);
+    else
         snprintf(out, TICK_TEXT_MAX, "%g", tick);
-        return;
-    }
-    double value = tick / axis_power_of_ten(axis->exponent);
-    if (fabs(value) < 0.5 * axis_power_of_ten(-axis->decimals))
-        value = 0; /* never "-0" */
-    snprintf(out, TICK_TEXT_MAX, "%.*f", axis->decimals, value);
 }
 
 void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX])
@@ -282,22 +263,15 @@ void axis_scale_text(const Axis *axis, const char *unit, char out[TICK_TEXT_MAX]
     static const struct {
         int exponent;
         const char *prefix;
-    } prefixes[] = {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {3, "k"}, {6, "M"}, {9, "G"}};
-    const bool si = strcmp(unit, "m") == 0 || strcmp(unit, "s") == 0 || strcmp(unit, "Pa") == 0 ||
-                    strcmp(unit, "J") == 0 || strcmp(unit, "m/s") == 0 || strcmp(unit, "Hz") == 0 ||
-                    strcmp(unit, "N") == 0 || strcmp(unit, "J/m³") == 0;
+    } prefixes[] = {{-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}};
+    static const char *const units[] = {"m", "s", "Pa", "J", "m/s", "Hz", "N", "J/m³", NULL};
+    const bool si = text_place_in(unit, units) >= 0;
     out[0] = '\0';
-    if (si) {
-        for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)
-            if (axis->exponent == prefixes[i].exponent) {
-                snprintf(out, TICK_TEXT_MAX, "%s%s", prefixes[i].prefix, unit);
-                return;
-            }
-        if (axis->exponent == 0) {
-            snprintf(out, TICK_TEXT_MAX, "%s", unit);
+    for (size_t i = 0; si && i < sizeof prefixes / sizeof *prefixes; i++)
+        if (axis->exponent == prefixes[i].exponent) {
+            snprintf(out, TICK_TEXT_MAX, "%s%s", prefixes[i].prefix, unit);
             return;
         }
-    }
     if (axis->exponent)
         snprintf(out, TICK_TEXT_MAX, "x10^%d%s%s", axis->exponent, si ? " " : "", si ? unit : "");
 }

@@ -62,21 +62,15 @@ static void magnify(Picture *picture, const BodyRoom *room, double rows)
     map->middle[1] = room->eye[1] + map->enlarged * room->moved[1];
 }
 
-static Axis axis_with_limits(double low, double high, int most)
+/* With ticks that are round in millimetres, or in its own unit. */
+static Axis axis_with_limits(double low, double high, int most, bool millimetres)
 {
-    Axis axis = axis_with_ticks(axis_make(low, high), most);
+    const double scale = millimetres ? 1e3 : 1;
+    Axis axis = axis_with_ticks(axis_make(scale * low, scale * high), most);
     axis.low = low;
     axis.high = high;
-    return axis;
-}
-
-static Axis axis_in_millimetres(double low, double high, int most)
-{
-    Axis axis = axis_with_ticks(axis_make(1e3 * low, 1e3 * high), most);
-    axis.low = low;
-    axis.high = high;
-    axis.step *= 1e-3;
-    axis.exponent -= 3;
+    axis.step *= millimetres ? 1e-3 : 1;
+    axis.exponent -= millimetres ? 3 : 0;
     return axis;
 }
 
@@ -121,14 +115,9 @@ void picture_lay_body(Picture *picture, const BodyRoom *room)
         low[d] = fills ? room->low[d] - margin : map->middle[d] - half;
         high[d] = fills ? room->low[d] + room->size[d] + margin : map->middle[d] + half;
     }
-    if (room->in_box) {
-        picture_axes(picture, axis_with_limits(low[0], high[0], picture->body[0] / 9), "x", "",
-                     axis_with_limits(low[1], high[1], 5), "y", "");
-        return;
-    }
-    const Axis x = axis_in_millimetres(low[0], high[0], picture->body[0] / 9),
-               y = axis_in_millimetres(low[1], high[1], 5);
-    picture_axes(picture, x, "x", "m", y, "y", "m");
+    const char *unit = room->in_box ? "" : "m";
+    picture_axes(picture, axis_with_limits(low[0], high[0], width / 9, !room->in_box), "x", unit,
+                 axis_with_limits(low[1], high[1], 5, !room->in_box), "y", unit);
 }
 
 bool picture_in_sight(const Picture *picture, double x, double y, double margin)

@@ -125,15 +125,12 @@ int canvas_text(Canvas *canvas, int x, int y, int width, const char *text, Style
         if (cut) {
             /* Half a number is worse than none: the ellipsis takes the place of all of it. */
             const int ellipsis = x + used - 1;
-            if (y >= 0 && y < canvas->height) {
-                const Cell *row = canvas->cells + (size_t)y * (size_t)canvas->width;
-                int at = ellipsis;
-                while (at > x && at <= canvas->width && row[at - 1].glyph < 0x80 &&
-                       strchr("0123456789.", (int)row[at - 1].glyph))
-                    at--;
-                for (int i = at; i <= ellipsis && at < ellipsis; i++)
-                    canvas_put(canvas, i, y, i == at ? ELLIPSIS : ' ', style);
-            }
+            int at = ellipsis;
+            for (const Cell *cell; at > x && (cell = cell_at(canvas, at - 1, y)) && cell->glyph < 0x80 &&
+                                   strchr("0123456789.", (int)cell->glyph);)
+                at--;
+            for (int i = at; i <= ellipsis && at < ellipsis; i++)
+                canvas_put(canvas, i, y, i == at ? ELLIPSIS : ' ', style);
         }
     }
     return used;
@@ -226,17 +223,15 @@ void area_put(Area area, int x, int y, uint32_t glyph, Style style)
 
 const Cell *area_cell(Area area, int x, int y)
 {
-    return &area.canvas
-                ->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)];
+    return cell_at(area.canvas, area.rect.x + x, area.rect.y + y);
 }
 
 void area_put_back(Area area, int x, int y, uint32_t glyph, Style style, Style back)
 {
+    Cell *cell = cell_at(area.canvas, area.rect.x + x, area.rect.y + y);
     area_put(area, x, y, glyph, style);
-    if (x >= 0 && x < area.rect.width && has_row(area, y) && area.rect.x + x < area.canvas->width &&
-        area.rect.y + y < area.canvas->height)
-        area.canvas->cells[(size_t)(area.rect.y + y) * (size_t)area.canvas->width + (size_t)(area.rect.x + x)]
-            .back = (uint16_t)(1 + back);
+    if (cell && x >= 0 && x < area.rect.width && has_row(area, y))
+        cell->back = (uint16_t)(1 + back);
 }
 
 int area_text(Area area, int x, int y, const char *text, Style style)
@@ -349,10 +344,8 @@ int area_phrases(Area area, int x, int y, int width, int rows, const char *text,
 {
     Phrases at = {.text = text, .width = width};
     int used = 0;
-    while (next_phrase(&at) && at.y < rows) {
+    for (; next_phrase(&at) && at.y < rows; used = at.y + 1)
         area_text(area_part(area, x + at.x, y + at.y, width - at.x, 1), 0, 0, at.phrase, style);
-        used = at.y + 1;
-    }
     return used;
 }
 

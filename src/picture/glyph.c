@@ -32,26 +32,12 @@ uint32_t glyph_next(const char **text)
 
 size_t glyph_put(char out[4], uint32_t glyph)
 {
-    if (glyph < 0x80) {
-        out[0] = (char)glyph;
-        return 1;
-    }
-    if (glyph < 0x800) {
-        out[0] = (char)(0xc0 | glyph >> 6);
-        out[1] = (char)(0x80 | (glyph & 0x3f));
-        return 2;
-    }
-    if (glyph < 0x10000) {
-        out[0] = (char)(0xe0 | glyph >> 12);
-        out[1] = (char)(0x80 | (glyph >> 6 & 0x3f));
-        out[2] = (char)(0x80 | (glyph & 0x3f));
-        return 3;
-    }
-    out[0] = (char)(0xf0 | glyph >> 18);
-    out[1] = (char)(0x80 | (glyph >> 12 & 0x3f));
-    out[2] = (char)(0x80 | (glyph >> 6 & 0x3f));
-    out[3] = (char)(0x80 | (glyph & 0x3f));
-    return 4;
+    static const unsigned char leads[] = {0, 0, 0xc0, 0xe0, 0xf0};
+    const size_t length = glyph < 0x80 ? 1 : glyph < 0x800 ? 2 : glyph < 0x10000 ? 3 : 4;
+    for (size_t i = length - 1; i > 0; i--, glyph >>= 6)
+        out[i] = (char)(0x80 | (glyph & 0x3f));
+    out[0] = (char)(leads[length] | glyph);
+    return length;
 }
 
 /* The characters that a grid of cells can show, by the cells that each takes. What is not here is shown as a

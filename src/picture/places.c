@@ -45,37 +45,27 @@ static bool is_free(const Places *places, double left, double top, double right,
 
 static void take(Places *places, double left, double top, double right, double bottom)
 {
-    if (places->n_taken == PLACES_MAX)
-        return;
-    places->taken[places->n_taken].left = left;
-    places->taken[places->n_taken].top = top;
-    places->taken[places->n_taken].right = right;
-    places->taken[places->n_taken].bottom = bottom;
-    places->n_taken++;
-}
-
-/* With a little air on both sides: two words beside each other are not one. */
-static bool write_line(Places *places, double left, double top, const char *text, Style style)
-{
-    const double columns = places->columns(places, text), air = places->gap / 2;
-    if (!is_free(places, left, top, left + columns, top + places->row))
-        return false;
-    take(places, left - air, top, left + columns + air, top + places->row);
-    places->write(places, left, top, text, style);
-    return true;
+    if (places->n_taken < PLACES_MAX)
+        places->taken[places->n_taken++] = (struct PlaceTaken){left, top, right, bottom};
 }
 
 /* --- labels ----------------------------------------------------------------------------------------- */
 
-/* It ends at `most` at the latest. */
+/* It ends at `most` at the latest, with a little air on both sides: two words beside each other are not one.
+ */
 static bool write_beside(Places *places, const PictureLabel *label, double across, double top,
                          const char *line, double most)
 {
-    const double columns = places->columns(places, line);
-    const double left = label->side > 0   ? across + places->gap
-                        : label->side < 0 ? across + (places->whole ? 1 : 0) - places->gap - columns
-                                          : snapped(places, across - (columns - 1) / 2);
-    return write_line(places, fmin(left, most - columns), top, line, label->style);
+    const double columns = places->columns(places, line), air = places->gap / 2;
+    const double beside = label->side > 0   ? across + places->gap
+                          : label->side < 0 ? across + (places->whole ? 1 : 0) - places->gap - columns
+                                            : snapped(places, across - (columns - 1) / 2);
+    const double left = fmin(beside, most - columns);
+    if (!is_free(places, left, top, left + columns, top + places->row))
+        return false;
+    take(places, left - air, top, left + columns + air, top + places->row);
+    places->write(places, left, top, line, label->style);
+    return true;
 }
 
 /* Its first line, or what stands below it, as far as there is room: that need not begin beside its thing. */

@@ -21,7 +21,7 @@ struct Places {
     void (*write)(const Places *, double left, double top, const char *text, Style); /* NULL: only tried */
     const void *back_end;                                                            /* its own */
 
-    struct {
+    struct PlaceTaken {
         double left, top, right, bottom;
     } taken[PLACES_MAX];
     int n_taken;

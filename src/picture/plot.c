@@ -57,31 +57,26 @@ void plot_point(Plot *plot, double x, double y)
     plot->strokes[plot->n_strokes - 1].count++;
 }
 
+typedef struct Sample {
+    size_t index;
+    double x, y;
+} Sample;
+
 /* What is kept of the samples of one column. */
 typedef struct Extent {
     size_t count;
-    struct {
-        size_t index;
-        double x, y;
-    } first, least, largest, last;
+    Sample first, least, largest, last;
 } Extent;
 
+/* In the order in which they come, each once. */
 static void flush(Plot *plot, const Extent *extent)
 {
-    if (extent->count == 0)
-        return;
-    plot_point(plot, extent->first.x, extent->first.y);
     const bool least_first = extent->least.index < extent->largest.index;
-    const size_t a = least_first ? extent->least.index : extent->largest.index;
-    const size_t b = least_first ? extent->largest.index : extent->least.index;
-    if (a != extent->first.index && a != extent->last.index)
-        plot_point(plot, least_first ? extent->least.x : extent->largest.x,
-                   least_first ? extent->least.y : extent->largest.y);
-    if (b != extent->first.index && b != extent->last.index && b != a)
-        plot_point(plot, least_first ? extent->largest.x : extent->least.x,
-                   least_first ? extent->largest.y : extent->least.y);
-    if (extent->count > 1)
-        plot_point(plot, extent->last.x, extent->last.y);
+    const Sample *const kept[] = {&extent->first, least_first ? &extent->least : &extent->largest,
+                                  least_first ? &extent->largest : &extent->least, &extent->last};
+    for (int k = 0; k < 4 && extent->count > 0; k++)
+        if (k == 0 || kept[k]->index != kept[k - 1]->index)
+            plot_point(plot, kept[k]->x, kept[k]->y);
 }
 
 void plot_curve(Plot *plot, PlotSample *sample, const void *context, size_t first, size_t end, int columns)
@@ -91,28 +86,25 @@ void plot_curve(Plot *plot, PlotSample *sample, const void *context, size_t firs
     Extent extent = {0};
     long column = 0;
     for (size_t i = first; i < end; i++) {
-        double x, y = sample(context, i, &x);
-        long here = (long)floor((x - plot->x.low) * scale);
-        if (extent.count && (here != column || isnan(y))) {
+        Sample here = {.index = i};
+        here.y = sample(context, i, &here.x);
+        const long at = (long)floor((here.x - plot->x.low) * scale);
+        if (at != column || isnan(here.y)) {
             flush(plot, &extent);
             extent.count = 0;
         }
-        if (isnan(y)) {
-            plot_point(plot, x, y);
+        if (isnan(here.y)) {
+            plot_point(plot, here.x, here.y);
             continue;
         }
-        column = here;
-        if (extent.count == 0) {
-            extent.first.index = extent.least.index = extent.largest.index = i;
-            extent.first.x = extent.least.x = extent.largest.x = x;
-            extent.first.y = extent.least.y = extent.largest.y = y;
-        }
-        if (y < extent.least.y)
-            extent.least.index = i, extent.least.x = x, extent.least.y = y;
-        if (y > extent.largest.y)
-            extent.largest.index = i, extent.largest.x = x, extent.largest.y = y;
-        extent.last.index = i, extent.last.x = x, extent.last.y = y;
-        extent.count++;
+        column = at;
+        if (extent.count++ == 0)
+            extent.first = extent.least = extent.largest = here;
+        if (here.y < extent.least.y)
+            extent.least = here;
+        if (here.y > extent.largest.y)
+            extent.largest = here;
+        extent.last = here;
     }
     flush(plot, &extent);
 }
@@ -278,20 +270,6 @@ static void draw_line(const Plot *plot, const Stroke *stroke, Raster *raster)
     }
 }
 
-static bool band_lit(int fill, int x, int y)
-{
-    switch (fill) {
-    case 0:
-        return true;
-    case 1:
-        return (x + y) % 2 == 0;
-    case 2:
-        return x % 2 == 0 && y % 2 == 0;
-    default:
-        return x % 2 == 0 && (y + x) % 4 == 0;
-    }
-}
-
 static void draw_band(const Plot *plot, const Stroke *stroke, Raster *raster)
 {
     const int columns = raster->columns * raster->across, rows = raster->rows * raster->down;
@@ -310,27 +288,17 @@ static void draw_band(const Plot *plot, const Stroke *stroke, Raster *raster)
             continue;
         int top = high.y < 0 ? 0 : dot_of(high.y), bottom = low.y > rows ? rows : dot_of(low.y);
         for (int y = top; y < bottom || (y == bottom && y == rows - 1); y++) {
-            if (raster->glyphs == GLYPHS_BRAILLE) {
-                if (band_lit(stroke->fill, x, y))
-                    put_dot(raster, stroke, x, y);
+            const bool lit[] = {true, (x + y) % 2 == 0, x % 2 == 0 && y % 2 == 0,
+                                x % 2 == 0 && (y + x) % 4 == 0}; /* of braille, by its fill */
+            if (raster->glyphs != GLYPHS_BRAILLE || lit[stroke->fill & 3])
+                put_dot(raster, stroke, x, y);
+            if (raster->glyphs != GLYPHS_BLOCK)
                 continue;
-            }
-            put_dot(raster, stroke, x, y);
             Spot *spot = &raster->spots[(size_t)(y / raster->down) * (size_t)raster->columns + (size_t)x];
-            if (spot->rank == stroke->rank && spot->style == stroke->style && raster->glyphs == GLYPHS_BLOCK)
+            if (spot->rank == stroke->rank && spot->style == stroke->style)
                 spot->glyph = shades[stroke->fill & 3];
         }
     }
-}
-
-static uint32_t glyph_of(const Raster *raster, const Spot *spot)
-{
-    static const uint32_t halves[] = {' ', 0x2580, 0x2584, 0x2588};
-    if (spot->glyph)
-        return spot->glyph;
-    if (raster->glyphs == GLYPHS_BRAILLE)
-        return 0x2800u + spot->dots;
-    return halves[spot->dots & 3];
 }
 
 static Raster raster_of(Area area)
@@ -376,12 +344,14 @@ void plot_draw(const Plot *plot, Area area)
         } else
             draw_band(plot, stroke, &raster);
     }
-    for (int y = 0; y < raster.rows; y++)
-        for (int x = 0; x < raster.columns; x++) {
-            const Spot *spot = &raster.spots[(size_t)y * (size_t)raster.columns + (size_t)x];
-            if (spot->rank >= 0 && (spot->dots || spot->glyph))
-                area_put(area, x, y, glyph_of(&raster, spot), (Style)spot->style);
-        }
+    static const uint32_t halves[] = {' ', 0x2580, 0x2584, 0x2588};
+    for (size_t i = 0; i < count; i++) {
+        const Spot *spot = &raster.spots[i];
+        const uint32_t dots = raster.glyphs == GLYPHS_BRAILLE ? 0x2800u + spot->dots : halves[spot->dots & 3];
+        if (spot->rank >= 0 && (spot->dots || spot->glyph))
+            area_put(area, (int)i % raster.columns, (int)i / raster.columns, spot->glyph ? spot->glyph : dots,
+                     (Style)spot->style);
+    }
     /* The strokes as they are, finer than any cell. */
     canvas_vector(area.canvas, ";A%d,%d,%d,%d", area.rect.x, area.rect.y, area.rect.width, area.rect.height);
     for (int i = 0; i < plot->n_strokes && area.canvas->vectored; i++) {
@@ -406,17 +376,13 @@ const char *plot_key(LineStyle line, char letter, Glyphs glyphs)
 {
     static const char *const keys[] = {[LINE_SOLID] = "⠒⠒", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
     static const char *const blocks[] = {[LINE_SOLID] = "▄▄", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
-    static const struct {
-        char letter;
-        const char *key;
-    } letters[] = {{'*', "**"}, {'.', ".."}, {'-', "--"}, {'o', "oo"}, {'x', "xx"},
-                   {',', ",,"}, {':', "::"}, {'#', "##"}, {'+', "++"}};
+    static const char letters[][3] = {"**", "..", "--", "oo", "xx", ",,", "::", "##", "++"};
     if (glyphs == GLYPHS_BLOCK)
         return blocks[line];
     if (glyphs == GLYPHS_BRAILLE)
         return keys[line];
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-        if (letters[i].letter == letter)
-            return letters[i].key;
+        if (letters[i][0] == letter)
+            return letters[i];
     return "  ";
 }

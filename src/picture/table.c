@@ -234,23 +234,6 @@ static int write_heads(const Plan *plan, const Part *part, int y)
     return begin;
 }
 
-/* What factors stand for stands before the labels or, where there is no room for all of it, behind a short
- * title. */
-static void write_title(const Plan *plan, const Part *part, int y, int labels)
-{
-    const PictureTable *table = plan->table;
-    const int notes = columns_of(part->sheet, table->notes);
-    const bool before = plan->labelled && 1 + notes < labels;
-    const bool whole = before && 1 + columns_of(part->sheet, table->title) <= part->columns;
-    const char *title = whole ? table->title : table->brief;
-    const int end = 1 + columns_of(part->sheet, title) + 2;
-    write_words(part, 1, y, title, STYLE_HEADING, false);
-    if (before)
-        write_words(part, 1, y + 1, table->notes, STYLE_FAINT, false);
-    else if (end + notes < part->columns)
-        write_words(part, end, y, table->notes, STYLE_FAINT, false);
-}
-
 int table_decimals(const TableColumn *column, TableTotal total, Writing writing)
 {
     return total != TOTAL_RESULT && base_of(column) != 0 ? writing.decimals : writing.sum_decimals;
@@ -278,11 +261,21 @@ static void write_terms(const Plan *plan, const Part *part, int c, int end, int 
 static void write_table(const Plan *plan, const Part *part, int y)
 {
     const PictureTable *table = plan->table;
-    const int title = table->title[0] != '\0', labels = write_heads(plan, part, y + title);
+    const int titled = table->title[0] != '\0', labels = write_heads(plan, part, y + titled);
     char text[48];
-    if (title)
-        write_title(plan, part, y, labels);
-    y += title + plan->labelled + plan->scaled + 1;
+    if (titled) {
+        /* What factors stand for stands before the labels or, where there is no room for all of it, behind a
+         * short title. */
+        const int notes = columns_of(part->sheet, table->notes);
+        const bool before = plan->labelled && 1 + notes < labels;
+        const bool whole = before && 1 + columns_of(part->sheet, table->title) <= part->columns;
+        const char *title = whole ? table->title : table->brief;
+        const int end = before ? 1 : 1 + columns_of(part->sheet, title) + 2;
+        write_words(part, 1, y, title, STYLE_HEADING, false);
+        if (before || end + notes < part->columns)
+            write_words(part, end, y + before, table->notes, STYLE_FAINT, false);
+    }
+    y += titled + plan->labelled + plan->scaled + 1;
     for (int c = 0, end = plan->names; c < plan->n_columns; c++) {
         end += plan->widths[c];
         if (plan->columns[c]->adds)
