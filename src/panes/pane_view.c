@@ -194,9 +194,7 @@ static PictureThing thing_at(const Picture *picture, Rect rect, int x, int y)
         return cells_thing(picture, rect, x, y);
     const long piece = picture->map ? cells_map_piece(picture, rect, x, y) : -1;
     const PictureMark *mark = picture->map ? NULL : cells_target(picture, rect, x, y);
-    return mark         ? (PictureThing){mark->set, mark->index}
-           : piece >= 0 ? (PictureThing){0, (size_t)piece}
-                        : (PictureThing){.set = -1};
+    return mark ? mark->thing : piece >= 0 ? (PictureThing){0, (size_t)piece} : (PictureThing){.set = -1};
 }
 
 bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)

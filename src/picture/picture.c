@@ -188,13 +188,7 @@ void picture_mark(Picture *picture, double x, double y, uint32_t glyph, Style st
 
 void picture_thing(Picture *picture, double x, double y, uint32_t glyph, Style style, PictureThing thing)
 {
-    picture_add_mark(picture, (PictureMark){.x = x,
-                                            .y = y,
-                                            .glyph = glyph,
-                                            .style = style,
-                                            .is_target = true,
-                                            .set = thing.set,
-                                            .index = thing.index});
+    picture_add_mark(picture, (PictureMark){x, y, glyph, style, .is_target = true, .thing = thing});
 }
 
 bool picture_has_points(const Picture *picture, size_t count)
@@ -229,10 +223,14 @@ void picture_box(Picture *picture, const double x[2], const double y[2], Pen pen
         plot_point(&picture->plot, x[corner / 2], y[corner % 2]);
 }
 
-void picture_label(Picture *picture, const PictureLabel *label)
+PictureLabel *picture_label(Picture *picture, double x, double y, int side, Style style, const char *format,
+                            ...)
 {
-    if (picture->n_labels < PICTURE_LABELS_MAX)
-        picture->labels[picture->n_labels++] = *label;
+    PictureLabel *label = &picture->labels[picture->n_labels];
+    *label = (PictureLabel){.x = x, .y = y, .side = side, .style = style};
+    WRITE(label->text, format);
+    picture->n_labels += picture->n_labels < PICTURE_LABELS_MAX;
+    return label;
 }
 
 void picture_arrow(Picture *picture, const PictureArrow *arrow)

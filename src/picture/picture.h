@@ -47,6 +47,12 @@ typedef struct PictureKey {
     int fill;      /* of SIGN_BAND, as the stroke's */
 } PictureKey;
 
+/* A thing that a place of a picture stands for: the index in its set. */
+typedef struct PictureThing {
+    int set; /* -1: there is none */
+    size_t index;
+} PictureThing;
+
 typedef enum MarkKind {
     MARK_PLACE, /* a dot, ring or letter */
     MARK_AGAIN, /* a letter once more on its curve, where curves cannot be distinguished by their dashes */
@@ -68,9 +74,8 @@ typedef struct PictureMark {
     char ascii;       /* in place of the glyph where there are only letters; 0: what usually stands for it */
     char letter;      /* beside it; 0: none */
     const char *word; /* of a rule; NULL: none */
-    bool is_target;   /* of the mouse, which finds thing `index` of this set there */
-    int set;
-    size_t index;
+    bool is_target;   /* of the mouse, which finds this thing there */
+    PictureThing thing;
     signed char side[2]; /* of its place on which it stands: to the right, upwards */
     double share;        /* of a bar: 0 to 1 */
     double half;         /* of its width */
@@ -132,12 +137,11 @@ typedef struct BodyRoom {
     double eye[2], moved[2];
 } BodyRoom;
 
-/* Words at a place of the plot, centred on its height, no higher than 1 in its coordinates. */
+/* Words at a place of the plot, centred on its height, no higher than 1 in its coordinates. Beside a body
+ * with its dimensions those in STYLE_NORMAL are sizes, which keep a space from lines. */
 typedef struct PictureLabel {
     double x, y;
-    int side;      /* of the place on which they stand: -1 left, 0 both, 1 right */
-    bool on_line;  /* which is broken for them */
-    bool is_size;  /* they keep a space from lines */
+    int side;      /* of the place on which they stand: -1 left, 0 both, 1 right; a line is broken for both */
     double height; /* of the band that they name; 0: of none */
     bool spare;    /* of a drawing: shown where arrows have left room */
     Style style;
@@ -191,12 +195,6 @@ typedef struct PictureList {
     PictureColumn *columns;
     PictureCell *cells; /* column after column */
 } PictureList;
-
-/* A thing that a place of a picture stands for: the index in its set. */
-typedef struct PictureThing {
-    int set; /* -1: there is none */
-    size_t index;
-} PictureThing;
 
 enum { TABLE_COLUMNS_MAX = 10, TABLE_ROWS_MAX = 64 };
 
@@ -289,7 +287,7 @@ typedef struct Picture {
     bool of_side;          /* of one run of two: whose it is will stand at the end of the heading */
     PictureMark *marks;
     size_t n_marks, marks_room;
-    PictureLabel labels[PICTURE_LABELS_MAX];
+    PictureLabel labels[PICTURE_LABELS_MAX + 1]; /* as with notes below */
     int n_labels;
     PictureArrow arrows[PICTURE_ARROWS_MAX];
     int n_arrows;
@@ -393,7 +391,9 @@ void picture_line(Picture *, double x0, double y0, double x1, double y1, Pen);
 void picture_level(Picture *, double y, Pen, const char *name); /* from edge to edge; NULL: no name */
 /* A rectangle that is filled. */
 void picture_box(Picture *, const double x[2], const double y[2], Pen);
-void picture_label(Picture *, const PictureLabel *);
+/* More can be said of the label that is returned. */
+PictureLabel *picture_label(Picture *, double x, double y, int side, Style, const char *format, ...)
+    __attribute__((format(printf, 6, 7)));
 void picture_arrow(Picture *, const PictureArrow *);
 void picture_key(Picture *, PictureKey);
 void picture_name(Picture *, Pen, const char *name); /* an entry with a piece of its line */

@@ -73,11 +73,6 @@ static bool is_in_row(const CellView *view, size_t node)
     return view->has_row && node >= view->row.first && node < view->row.first + view->row.count;
 }
 
-static bool is_in_sight(const CellView *view, const double at[2])
-{
-    return at[0] > view->low[0] && at[0] < view->high[0] && at[1] > view->low[1] && at[1] < view->high[1];
-}
-
 static void widen(CellView *view, int set, size_t index, double beside)
 {
     double at[2];
@@ -114,14 +109,9 @@ static void find_sides(CellView *view)
     view->high[1] = view->line ? ROWS : view->high[1] + 0.25 * view->spacing;
 }
 
-static int body_of(const CellView *view, int set, size_t index)
+static const char *name_of_body(const CellView *view, double body)
 {
-    return (int)simulation_named(view->sim, set, "body", index);
-}
-
-static const char *name_of_body(const CellView *view, int body)
-{
-    return experiment_settings(view->screen->experiment)->rows[ROWS_BODIES].rows[body].name;
+    return experiment_settings(view->screen->experiment)->rows[ROWS_BODIES].rows[(int)body].name;
 }
 
 /* The node of another body at the same place, where both have mass and no wall acts, so that what one loses
@@ -155,24 +145,6 @@ static long heaviest(const CellView *view, bool shared)
     return most;
 }
 
-/* The row of the chosen node, or of the one that the chosen particle gives most to; lumped, all is its own.
- */
-static void take_masses(CellView *view)
-{
-    const long most = heaviest(view, false);
-    if (view->terms.set == 0 && most < 0)
-        return;
-    if (view->terms.set == 0) {
-        view->terms.set = 1;
-        view->terms.index = (size_t)most;
-        cell_terms_find(&view->terms, NULL, SHOWN_OF_LINE);
-    }
-    const double own = simulation_named(view->sim, 1, "mass", view->terms.index);
-    view->has_row = view->done && !view->wiped && own > 0;
-    if (view->has_row && !inspector_mass_row(view->sim, 1, view->terms.index, &view->row))
-        view->row = (MassRow){view->terms.index, 1, {own}};
-}
-
 /* False: no memory. */
 static bool look(CellView *view, const Screen *screen, bool masses)
 {
@@ -194,10 +166,20 @@ static bool look(CellView *view, const Screen *screen, bool masses)
     view->wiped = view->done && experiment_stage(screen->experiment) == 0;
     cell_terms_find(&view->terms, view->done && !masses ? view->stage : NULL,
                     view->line ? SHOWN_OF_LINE : SHOWN_OF_PLANE);
-    if (masses)
-        take_masses(view);
-    else if (set == 1 && view->terms.n_flows == 0 && view->done && !view->wiped)
+    const long most = masses && set == 0 ? heaviest(view, false) : -1;
+    if (most >= 0) { /* of a particle the node that it gives most to */
+        view->terms.set = 1;
+        view->terms.index = (size_t)most;
+        cell_terms_find(&view->terms, NULL, SHOWN_OF_LINE);
+    }
+    if (view->terms.set == 1 && view->terms.n_flows == 0 && view->done && !view->wiped)
         view->has_row = inspector_mass_row(sim, 1, view->terms.index, &view->row);
+    const double own =
+        masses && view->terms.set == 1 ? simulation_named(sim, 1, "mass", view->terms.index) : 0;
+    if (masses && view->done && !view->wiped && !view->has_row && own > 0) { /* lumped: all is its own */
+        view->has_row = true;
+        view->row = (MassRow){view->terms.index, 1, {own}};
+    }
     find_sides(view);
     view->meets = view->done && simulation_has(sim, HAS_BODIES) && strncmp(view->stage->id, "fix", 3) == 0;
     if (view->meets)
@@ -241,21 +223,6 @@ static Writing writing_of_row(const CellView *view)
     return writing_of(view->row.masses, view->row.count, 0, sum_of_row(view), CELL_TERM_WIDTH);
 }
 
-/* The velocity by which a node gives, of a bar; each once. */
-static void given_numbers(const CellView *view, size_t node, char *out, size_t size)
-{
-    const CellTerms *terms = &view->terms;
-    for (int f = 0; f < terms->n_flows && !terms->to_nodes && view->line; f++) {
-        const char *factor = text_last_word(terms->flows[f].exchange->factors);
-        bool told = f > 0 && strcmp(factor, text_last_word(terms->flows[0].exchange->factors)) == 0;
-        for (size_t i = 0; i < terms->n_links && !told; i++)
-            if (terms->set ? node == terms->index : terms->links[i].index == node) {
-                text_append(out, size, "\n%s %s", factor, text_fitted(terms->flows[f].last[i], 5, 10).text);
-                told = true;
-            }
-    }
-}
-
 /* What a node has to do with the stage: its share, what the stage writes of it or what it gives in it. */
 static void node_numbers(const CellView *view, size_t node, char *out, size_t size)
 {
@@ -281,7 +248,17 @@ static void node_numbers(const CellView *view, size_t node, char *out, size_t si
     for (size_t k = 0; k < sizeof values / sizeof *values && !view->meets; k++)
         if (writes(view, values[k].written))
             cell_value_add(view->screen, 1, node, values[k].field, values[k].label, !made, out, size);
-    given_numbers(view, node, out, size);
+    /* The velocity by which a node gives, of a bar; each once. */
+    const CellTerms *terms = &view->terms;
+    for (int f = 0; f < terms->n_flows && !terms->to_nodes && view->line; f++) {
+        const char *factor = text_last_word(terms->flows[f].exchange->factors);
+        bool told = f > 0 && strcmp(factor, text_last_word(terms->flows[0].exchange->factors)) == 0;
+        for (size_t i = 0; i < terms->n_links && !told; i++)
+            if (terms->set ? node == terms->index : terms->links[i].index == node) {
+                text_append(out, size, "\n%s %s", factor, text_fitted(terms->flows[f].last[i], 5, 10).text);
+                told = true;
+            }
+    }
 }
 
 static Style style_of_masses(const CellView *view)
@@ -348,15 +325,11 @@ static void add_node(const CellView *view, Picture *picture, size_t node)
     double at[2], beside[2];
     place_of(view, 1, node, at);
     place_of(view, view->terms.set, view->terms.index, beside);
-    PictureLabel label = {.x = at[0],
-                          .y = line ? NUMBER_ROW : at[1],
-                          .side = !line && at[0] < beside[0] ? -1 : 1,
-                          .style = own      ? STYLE_SELECTED
-                                   : linked ? STYLE_NORMAL
-                                            : STYLE_FAINT,
-                          .thing = "node",
-                          .says_thing = true};
-    snprintf(label.text, sizeof label.text, "%zu", node);
+    const Style words = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
+    PictureLabel *label = picture_label(picture, at[0], line ? NUMBER_ROW : at[1],
+                                        !line && at[0] < beside[0] ? -1 : 1, words, "%zu", node);
+    label->thing = "node";
+    label->says_thing = true;
     const Pen pen = {LINE_SOLID, '|', line ? there : STYLE_FRAME, RANK_GHOST, 0};
     picture_line(picture, at[0], line ? view->grid - 0.4 : view->low[1], at[0],
                  line ? view->grid + 0.4 : view->high[1], pen);
@@ -366,9 +339,8 @@ static void add_node(const CellView *view, Picture *picture, size_t node)
         picture_line(picture, view->low[0], at[1], view->high[0], at[1],
                      (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
     if (view->meets)
-        add_contact(view, picture, node, &label);
-    node_numbers(view, node, label.text, sizeof label.text);
-    picture_label(picture, &label);
+        add_contact(view, picture, node, label);
+    node_numbers(view, node, label->text, sizeof label->text);
     picture_thing(picture, at[0], at[1],
                   own || (!line && linked) ? 0x25a0
                   : linked                 ? 0x25cf
@@ -432,10 +404,10 @@ static void add_contact(const CellView *view, Picture *picture, size_t node, Pic
     snprintf(told, sizeof told, "node %zu", node);
     add_vector(view, picture, (double[]){n[0], n[1]}, 0.45 * view->spacing, STYLE_CHANGED, "n", told);
     for (int k = 0; k < 2; k++) {
-        const int body = body_of(view, 1, both[k]);
+        const double body = simulation_named(sim, 1, "body", both[k]);
         snprintf(told, sizeof told, "node %zu, %s", both[k], name_of_body(view, body));
         add_vector(view, picture, v[k], fastest > 0 ? 0.4 * view->spacing / fastest : 0,
-                   picture_kind_style(body), "v", told);
+                   picture_kind_style((int)body), "v", told);
     }
 }
 
@@ -447,33 +419,28 @@ static void add_particle(const CellView *view, Picture *picture, size_t particle
     const CellTerms *terms = &view->terms;
     double at[2];
     place_of(view, 0, particle, at);
-    PictureLabel label = {.x = at[0],
-                          .y = at[1],
-                          .side = 1,
-                          .spare = !own && !(view->line && linked),
-                          .style = own      ? STYLE_SELECTED
-                                   : linked ? STYLE_NORMAL
-                                            : STYLE_FAINT,
-                          .thing = "particle"};
     const Style style = own ? STYLE_CHANGED
                         : simulation_has(view->sim, HAS_BODIES)
-                            ? picture_kind_style(body_of(view, 0, particle))
+                            ? picture_kind_style((int)simulation_named(view->sim, 0, "body", particle))
                         : linked ? STYLE_MEASURED
                                  : STYLE_FAINT;
     picture_thing(picture, at[0], at[1], own || (linked && terms->set) ? 0x25cf : 0x25cb, style,
                   (PictureThing){0, particle});
-    snprintf(label.text, sizeof label.text, "%zu", particle);
+    if (!own && view->meets)
+        return;
+    const Style words = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
+    PictureLabel *label = picture_label(picture, at[0], at[1], 1, words, "%zu", particle);
+    label->spare = !own && !(view->line && linked);
+    label->thing = "particle";
     if (own && view->line && (terms->to_nodes || terms->n_flows == 0))
-        cell_value_add(view->screen, 0, particle, "x", "x", false, label.text, sizeof label.text);
+        cell_value_add(view->screen, 0, particle, "x", "x", false, label->text, sizeof label->text);
     for (int f = 0; f < terms->n_flows && own && !terms->to_nodes; f++) {
         const char *field = terms->flows[f].exchange->field;
         const int index = simulation_find_field(view->sim, 0, field);
         if (index >= 0)
             cell_value_add(view->screen, 0, particle, field, view->sim->fields[index].quantity.label,
-                           view->line || terms->flows[f].exchange->adds, label.text, sizeof label.text);
+                           view->line || terms->flows[f].exchange->adds, label->text, sizeof label->text);
     }
-    if (own || !view->meets)
-        picture_label(picture, &label);
 }
 
 /* The way that the stage passes something, with the terms of the strongest; between steps to all links. */
@@ -538,20 +505,19 @@ static void add_row(const CellView *view, Picture *picture)
 /* "0.1875 + 0.625 + 0.1875 = 1" */
 static void tell_row(const CellView *view, Picture *picture)
 {
-    PictureLabel label = {.y = 3.2, .style = STYLE_CHANGED};
     const NumberText sum = text_fitted(sum_of_row(view), 5, 10);
     double at[2];
     place_of(view, 1, view->terms.index, at);
-    label.x = at[0];
+    char text[sizeof picture->labels[0].text] = "";
     if (view->row.count == 1)
-        snprintf(label.text, sizeof label.text, "lumped: all of %s\nis the node's own", sum.text);
+        snprintf(text, sizeof text, "lumped: all of %s\nis the node's own", sum.text);
     else
         for (size_t k = 0; k < view->row.count; k++)
-            text_append(label.text, sizeof label.text, "%s%s", k ? " + " : "",
+            text_append(text, sizeof text, "%s%s", k ? " + " : "",
                         cell_term_text(view->row.masses[k], writing_of_row(view)).text);
     if (view->row.count > 1)
-        text_append(label.text, sizeof label.text, " = %s", sum.text);
-    picture_label(picture, &label);
+        text_append(text, sizeof text, " = %s", sum.text);
+    picture_label(picture, at[0], 3.2, 0, STYLE_CHANGED, "%s", text);
 }
 
 /* --- words ----------------------------------------------------------------------------------------- */
@@ -572,7 +538,7 @@ static void name_of(const CellView *view, char out[PICTURE_TEXT_MAX])
                     (int)(view->stage - sim->stages) + 1, view->stage->name);
     if (simulation_has(sim, HAS_BODIES))
         text_append(out, PICTURE_TEXT_MAX, ", of %s",
-                    name_of_body(view, body_of(view, terms->set, terms->index)));
+                    name_of_body(view, simulation_named(sim, terms->set, "body", terms->index)));
     if (!view->line && isfinite(cell))
         text_append(out, PICTURE_TEXT_MAX, ", in cell %.0f", cell);
 }
@@ -635,25 +601,22 @@ static const char *note_of(const CellView *view)
 
 /* --- the whole ------------------------------------------------------------------------------------- */
 
-static void add_thing(const CellView *view, Picture *picture, int set, size_t index)
-{
-    (set ? add_node : add_particle)(view, picture, index);
-}
-
 /* The chosen one first, then what it is linked with: where there is little room it is named. Nodes of a plane
  * that it is not linked with are left out, in a low pane particles too: the terms are there. */
 static void add_things(const CellView *view, Picture *picture)
 {
     double at[2];
-    add_thing(view, picture, view->terms.set, view->terms.index);
+    (view->terms.set ? add_node : add_particle)(view, picture, view->terms.index);
     for (int linked = 1; linked >= 0; linked--)
         for (int set = 1; set >= 0; set--)
             for (size_t i = 0; i < view->sim->counts[set]; i++) {
                 place_of(view, set, i, at);
-                if (!is_in_sight(view, at) || is_own(view, set, i) || is_link(view, set, i) != linked ||
-                    (!view->line && !linked && (set || (view->terms.n_flows > 0 && picture_is_low(picture)))))
-                    continue;
-                add_thing(view, picture, set, i);
+                const bool in_sight = at[0] > view->low[0] && at[0] < view->high[0] && at[1] > view->low[1] &&
+                                      at[1] < view->high[1];
+                const bool left_out =
+                    !view->line && !linked && (set || (view->terms.n_flows > 0 && picture_is_low(picture)));
+                if (in_sight && !is_own(view, set, i) && is_link(view, set, i) == linked && !left_out)
+                    (set ? add_node : add_particle)(view, picture, i);
             }
 }
 
@@ -661,9 +624,7 @@ static void describe_mesh(const CellView *view, Picture *picture)
 {
     const CellTerms *terms = &view->terms;
     const RowList *bodies = &experiment_settings(view->screen->experiment)->rows[ROWS_BODIES];
-    char name[PICTURE_TEXT_MAX];
-    PictureLabel rest = {
-        .x = view->low[0], .y = (view->low[1] + view->high[1]) / 2, .side = 1, .style = STYLE_CHANGED};
+    char name[PICTURE_TEXT_MAX], rest[sizeof picture->labels[0].text];
     name_of(view, name);
     picture->kind = PICTURE_DRAWING;
     picture->bare = true;
@@ -676,9 +637,10 @@ static void describe_mesh(const CellView *view, Picture *picture)
     for (size_t rank = 0; rank < (view->line ? terms->shown : terms->n_links); rank++)
         if (terms->n_flows > 0 || (!view->done && !view->running && !view->masses))
             add_arrow(view, picture, rank);
-    cell_terms_rest(terms, rest.text, sizeof rest.text);
-    if (rest.text[0])
-        picture_label(picture, &rest);
+    cell_terms_rest(terms, rest, sizeof rest);
+    if (rest[0])
+        picture_label(picture, view->low[0], (view->low[1] + view->high[1]) / 2, 1, STYLE_CHANGED, "%s",
+                      rest);
     if (view->has_row)
         (view->masses ? tell_row : add_row)(view, picture);
     if (view->line)

@@ -41,13 +41,6 @@ static bool take_bonds(NearBonds *bonds, const Screen *screen)
     return bonds->count > 0;
 }
 
-static void add_label(Picture *picture, double x, double y, int side, Style style, const char *text)
-{
-    PictureLabel label = {.x = x, .y = y, .side = side, .style = style};
-    snprintf(label.text, sizeof label.text, "%.90s", text);
-    picture_label(picture, &label);
-}
-
 static void add_end(Picture *picture, double x, double y, size_t node, bool own, bool now)
 {
     picture_thing(picture, x, y, now ? 0x25cf : 0x25cb,
@@ -101,12 +94,6 @@ static double enlarged(double stretch)
     return stretch != 0 ? axis_step_down(0.25 / fabs(stretch)) : 1;
 }
 
-static void add_pull(Picture *picture, double from, double towards)
-{
-    const PictureArrow arrow = {.from = {from, 6.5}, .to = {from + towards, 6.5}, .style = STYLE_CHANGED};
-    picture_arrow(picture, &arrow);
-}
-
 /* As the stage leaves it; NULL: between steps. */
 static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *picture)
 {
@@ -124,49 +111,38 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
         const double rest = e ? 0.75 : 0.25, now = e ? 0.5 + half : 0.5 - half;
         add_end(picture, rest, 10, ends[e], ends[e] == bonds->node, false);
         add_end(picture, now, 6.5, ends[e], ends[e] == bonds->node, true);
-        PictureLabel name = {.x = rest, .y = 10, .side = e ? 1 : -1, .thing = "node", .says_thing = true};
-        snprintf(name.text, sizeof name.text, "%zu%s", ends[e],
-                 link->mirrored && left != e ? " mirrored" : "");
-        picture_label(picture, &name);
+        PictureLabel *name = picture_label(picture, rest, 10, e ? 1 : -1, STYLE_NORMAL, "%zu%s", ends[e],
+                                           link->mirrored && left != e ? " mirrored" : "");
+        name->thing = "node";
+        name->says_thing = true;
+        const double pull = copysign(0.1, link->stretch) * (e ? -1 : 1);
         if (!link->broken && link->stretch != 0)
-            add_pull(picture, now, copysign(0.1, link->stretch) * (e ? -1 : 1));
+            picture_arrow(picture, &(PictureArrow){
+                                       .from = {now, 6.5}, .to = {now + pull, 6.5}, .style = STYLE_CHANGED});
     }
     picture_line(picture, 0.25, 10, 0.75, 10, (Pen){LINE_SOLID, '-', STYLE_FAINT, RANK_GHOST, 0});
     picture_line(picture, 0.5 - half, 6.5, 0.5 + half, 6.5,
                  link->broken ? (Pen){LINE_DASHED, '-', STYLE_FAINT, RANK_GHOST, 0}
                               : (Pen){LINE_SOLID, '-', STYLE_MEASURED, RANK_GHOST, 0});
-    snprintf(text, sizeof text, "at rest: |ξ| %s",
-             number_of(math_hypot(link->apart[0], link->apart[1])).text);
-    add_label(picture, 0.5, 11.6, 0, STYLE_FAINT, text);
+    picture_label(picture, 0.5, 11.6, 0, STYLE_FAINT, "at rest: |ξ| %s",
+                  number_of(math_hypot(link->apart[0], link->apart[1])).text);
     if (link->broken) {
-        add_label(picture, 0.5, 8, 0, STYLE_CHANGED, "broken: it carries nothing");
+        picture_label(picture, 0.5, 8, 0, STYLE_CHANGED, "broken: it carries nothing");
         return;
     }
-    snprintf(text, sizeof text, "now: s %s", number_of(link->stretch).text);
-    text_append(text, sizeof text, ", drawn %s times", text_factor(factor).text);
-    add_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, text);
+    picture_label(picture, 0.5, 8.2, 0, STYLE_CHANGED, "now: s %s, drawn %s times",
+                  number_of(link->stretch).text, text_factor(factor).text);
     write_product(bonds, link, picture->columns, product);
-    snprintf(text, sizeof text, "%s %s%s at each end", link->stretch < 0 ? "pushes" : "pulls",
-             number_of(link_pull(link)).text, bonds->unit);
-    add_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, text);
-    add_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, product[0]);
+    picture_label(picture, 0.5, 4.6, 0, STYLE_CHANGED, "%s %s%s at each end",
+                  link->stretch < 0 ? "pushes" : "pulls", number_of(link_pull(link)).text, bonds->unit);
+    picture_label(picture, 0.5, 2.8, 0, STYLE_NORMAL, "%.90s", product[0]);
     snprintf(text, sizeof text, "c G w V s = %s", product[1]);
     if (glyphs_columns(text) + 2 > picture->columns) /* what it comes to stands above */
         snprintf(text, sizeof text, "%.*s", (int)(strstr(product[1], " = ") - product[1]), product[1]);
-    add_label(picture, 0.5, 1.2, 0, STYLE_NORMAL, text);
+    picture_label(picture, 0.5, 1.2, 0, STYLE_NORMAL, "%.90s", text);
 }
 
 /* --- a family --------------------------------------------------------------------------------------- */
-
-/* A row for a bond, its bar as long as the pull is strong, towards the right if it pulls. */
-static void add_row(Picture *picture, double y, double share, const char *text)
-{
-    const double middle = 0.85, from = middle + fmin(share, 0) * 0.12, to = middle + fmax(share, 0) * 0.12;
-    picture_box(picture, (double[]){from, to}, (double[]){y - 0.3, y + 0.3},
-                share < 0 ? (Pen){LINE_SOLID, '<', STYLE_PREDICTED, RANK_BAND, 1}
-                          : (Pen){LINE_SOLID, '>', STYLE_SECOND, RANK_BAND, 0});
-    add_label(picture, 0.32, y, 1, STYLE_CHANGED, text);
-}
 
 /* The body around the node, its bonds' other ends as dots, those that are written out with their letters. */
 static void add_family(const NearBonds *bonds, Picture *picture, size_t shown)
@@ -191,7 +167,7 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
 {
     const size_t shown = bonds->whole < SHOWN_MAX ? bonds->whole : SHOWN_MAX;
     const bool line = simulation_has(bonds->sim, HAS_LINE);
-    char name[96], number[2 * NUMBER_TEXT_MAX + 32];
+    char name[96];
     double rest[2] = {0, 0};
     snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
              bonds->count, bonds->count - bonds->whole, bonds->unit);
@@ -199,20 +175,25 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     add_family(bonds, picture, shown);
     const double most = shown > 0 ? fabs(link_pull(&bonds->links[0])) : 0;
     for (size_t k = 0; k < shown; k++) {
-        const double pull = link_pull(&bonds->links[k]);
-        snprintf(name, sizeof name, "%c to %s%zu  %.20s", (char)('a' + k), link_mirror(&bonds->links[k]),
-                 bonds->links[k].index, number_of(pull).text);
-        add_row(picture, 11.4 - 1.2 * (double)k, most > 0 ? pull / most : 0, name);
+        /* A row for a bond, its bar as long as the pull is strong, towards the right if it pulls. */
+        const double pull = link_pull(&bonds->links[k]), length = most > 0 ? pull / most * 0.12 : 0;
+        const double y = 11.4 - 1.2 * (double)k, middle = 0.85;
+        picture_box(picture, (double[]){middle + fmin(length, 0), middle + fmax(length, 0)},
+                    (double[]){y - 0.3, y + 0.3},
+                    pull < 0 ? (Pen){LINE_SOLID, '<', STYLE_PREDICTED, RANK_BAND, 1}
+                             : (Pen){LINE_SOLID, '>', STYLE_SECOND, RANK_BAND, 0});
+        picture_label(picture, 0.32, y, 1, STYLE_CHANGED, "%c to %s%zu  %.20s", (char)('a' + k),
+                      link_mirror(&bonds->links[k]), bonds->links[k].index, number_of(pull).text);
     }
     for (size_t k = shown; k < bonds->whole; k++)
         for (int d = 0; d < bonds->sim->n_exchanges; d++)
             rest[d] += simulation_exchange(bonds->sim, d, bonds->node, &bonds->links[k]).product;
     if (shown < bonds->whole) {
-        snprintf(number, sizeof number, line ? "%zu more: %s" : "%zu more together: fx %s",
-                 bonds->whole - shown, number_of(rest[0]).text);
+        PictureLabel *more = picture_label(picture, 0.32, 1.4, 1, STYLE_NORMAL,
+                                           line ? "%zu more: %s" : "%zu more together: fx %s",
+                                           bonds->whole - shown, number_of(rest[0]).text);
         if (!line)
-            text_append(number, sizeof number, ", fy %s", number_of(rest[1]).text);
-        add_label(picture, 0.32, 1.4, 1, STYLE_NORMAL, number);
+            text_append(more->text, sizeof more->text, ", fy %s", number_of(rest[1]).text);
     }
 }
 

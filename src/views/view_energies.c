@@ -351,10 +351,10 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         for (int layer = 0; layer < stack.count && stack.record->count > 0; layer++) {
             const double low = mean_height(&stack, time, period, layer);
             const double high = mean_height(&stack, time, period, layer + 1);
-            PictureLabel label = {.x = time, .y = (low + high) / 2, .height = high - low, .side = 1};
-            snprintf(label.text, sizeof label.text, "%s", stack.layers[layer].name);
             if (high - low > least)
-                picture_label(picture, &label);
+                picture_label(picture, time, (low + high) / 2, 1, STYLE_NORMAL, "%s",
+                              stack.layers[layer].name)
+                    ->height = high - low;
         }
     }
     if (most_work > 0) {

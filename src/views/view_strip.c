@@ -9,7 +9,6 @@
 #include "views/view.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,20 +57,6 @@ static void open_axes(Strip *strip, long columns)
     strip->last = picture->body[1] - 1;
     picture->body[0] = strip->columns + 1;
     picture_axes(picture, axis_make(-1, strip->columns), "", "", axis_make(-strip->last - 0.5, 0.5), "", "");
-}
-
-/* Below its other words where there is room: the things that the chosen one is linked with. */
-static void list(const Strip *strip, Style style, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void list(const Strip *strip, Style style, const char *format, ...)
-{
-    PictureLabel label = {.style = style};
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(label.text, sizeof label.text, format, arguments);
-    va_end(arguments);
-    picture_label(strip->picture, &label);
 }
 
 /* Displacements are drawn up to that length. */
@@ -140,8 +125,7 @@ static void add_grid(const Bar *bar)
             (PictureMark){.glyph = 0x253c,
                           .style = bar->there ? STYLE_NORMAL : STYLE_FRAME,
                           .is_target = true,
-                          .set = 1,
-                          .index = i});
+                          .thing = {1, i}});
         if (simulation_named(strip->sim, 1, "fixed", i) > 0 && x > -half && x < bar->length + half)
             put_upright(strip, column, 0, strip->last, wall);
     }
@@ -199,11 +183,13 @@ static void add_links(const Bar *bar, Flow flow)
                                       : to_particles ? 0x2193
                                                      : 0x00b7,
                              .style = to_nodes || to_particles ? STYLE_CHANGED : STYLE_FRAME};
-    list(strip, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
+    /* listed below the other words where there is room */
+    picture_label(strip->picture, 0, 0, 0, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
     for (size_t i = 0; i < found; i++) {
         const double x = node_at(bar, links[i].index), column = column_of(bar, x);
-        list(strip, STYLE_NORMAL, "node %zu  x %s  N %s  N' %s", links[i].index, text_fitted(x, 5, 10).text,
-             text_fitted(links[i].weight, 4, 10).text, text_fitted(links[i].gradient[0], 4, 10).text);
+        picture_label(strip->picture, 0, 0, 0, STYLE_NORMAL, "node %zu  x %s  N %s  N' %s", links[i].index,
+                      text_fitted(x, 5, 10).text, text_fitted(links[i].weight, 4, 10).text,
+                      text_fitted(links[i].gradient[0], 4, 10).text);
         if (!strip->paused)
             continue;
         put(strip, column, 0, node);
@@ -255,7 +241,7 @@ static void describe_bar(Strip *strip, const double *x0)
                           .style = STYLE_MEASURED,
                           .kind = MARK_FINE,
                           .is_target = true,
-                          .index = i});
+                          .thing = {0, i}});
     add_links(&bar, flow);
     static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
                                         [FLOW_TO_PARTICLES] = "↓ particles take",
@@ -373,7 +359,7 @@ static void describe_bonds(Strip *strip)
                           .ascii = mirrored ? 0 : 'o',
                           .style = mirrored ? STYLE_FAINT : STYLE_MEASURED,
                           .is_target = !mirrored,
-                          .index = mirrored ? 0 : (size_t)k});
+                          .thing = {0, mirrored ? 0 : (size_t)k}});
     }
     if (pulls || (inside && strcmp(stage, "load") == 0))
         add_forces(&row);
@@ -394,10 +380,11 @@ static void describe_bonds(Strip *strip)
     add_ends(&row);
     Link links[LINKS_MAX];
     const size_t count = find_links(strip, links);
-    list(strip, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
+    picture_label(strip->picture, 0, 0, 0, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
     for (size_t i = 0; i < count; i++)
-        list(strip, STYLE_NORMAL, "to %s%zu  stretch %s  pull %s", link_mirror(&links[i]), links[i].index,
-             text_fitted(links[i].stretch, 4, 10).text, text_fitted(link_pull(&links[i]), 4, 10).text);
+        picture_label(strip->picture, 0, 0, 0, STYLE_NORMAL, "to %s%zu  stretch %s  pull %s",
+                      link_mirror(&links[i]), links[i].index, text_fitted(links[i].stretch, 4, 10).text,
+                      text_fitted(link_pull(&links[i]), 4, 10).text);
     note_nodes(&row, pulls, inside && strcmp(stage, "mirror") == 0);
 }
 

@@ -98,7 +98,7 @@ void cells_drawing(const Picture *picture, Area area, Style heading)
          */
         const PictureLabel *label = &picture->labels[i];
         char text[sizeof label->text + 2];
-        snprintf(text, sizeof text, label->is_size ? " %s " : "%s", label->text);
+        snprintf(text, sizeof text, label->style == STYLE_NORMAL ? " %s " : "%s", label->text);
         const int columns = glyphs_columns(text), y = (int)round(-label->y);
         const int from = label->side > 0   ? (int)label->x
                          : label->side < 0 ? (int)label->x - columns

@@ -427,7 +427,7 @@ static void draw_label(const Frame *frame, const PictureLabel *label)
     /* of a body: beside the sign that stands on its place */
     const bool beside = frame->picture->map;
     const double x = x_of(frame, label->x) + (beside ? 8 : 0), y = y_of(frame, label->y) - (beside ? 4 : 0);
-    if (label->on_line) {
+    if (label->side == 0) {
         const double half = draw_words_width(label->text, &type) / 2 + 2, up = type.size / 2;
         const double patch[] = {x - half, y - up, x + half, y - up, x + half, y + up, x - half, y + up};
         frame->paper->kind->fill(frame->paper, patch, 4, WHITE);

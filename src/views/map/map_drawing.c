@@ -12,7 +12,6 @@
 #include "base/text.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 
 enum { LENGTHS_MAX = 4 };
@@ -60,36 +59,15 @@ static void trace(const Drawing *drawing, StrokeKind kind, Style style, int coun
         plot_point(plot, places[i][0], places[i][1]);
 }
 
-/* Words that begin (side 1), have their middle (0) or end (-1) at a place; those in the middle break a line.
- * Of those in STYLE_NORMAL, which are sizes, each keeps a space from lines. */
-static void label(const Drawing *drawing, double x, double y, int side, Style style, const char *format, ...)
-    __attribute__((format(printf, 6, 7)));
-
-static void label(const Drawing *drawing, double x, double y, int side, Style style, const char *format, ...)
-{
-    PictureLabel label = {
-        .x = x, .y = y, .side = side, .style = style, .on_line = side == 0, .is_size = style == STYLE_NORMAL};
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(label.text, sizeof label.text, format, arguments);
-    va_end(arguments);
-    picture_label(drawing->picture, &label);
-}
-
 static void label_length(const Drawing *drawing, double x, double y, int side, double metres)
 {
-    label(drawing, x, y, side, STYLE_NORMAL, "%s mm", text_rounded(1e3 * metres, 4).text);
+    picture_label(drawing->picture, x, y, side, STYLE_NORMAL, "%s mm", text_rounded(1e3 * metres, 4).text);
 }
 
 static void put(const Drawing *drawing, double x, double y, MarkKind kind, int up, uint32_t glyph)
 {
-    picture_add_mark(drawing->picture,
-                     (PictureMark){.x = x,
-                                   .y = y,
-                                   .glyph = glyph,
-                                   .style = glyph == 0x25cf ? STYLE_MEASURED : STYLE_HEADING,
-                                   .kind = kind,
-                                   .side = {0, (signed char)up}});
+    const Style style = glyph == 0x25cf ? STYLE_MEASURED : STYLE_HEADING;
+    picture_add_mark(drawing->picture, (PictureMark){x, y, glyph, style, kind, .side = {0, (signed char)up}});
 }
 
 /* --- parts ------------------------------------------------------------------------------------------- */
@@ -114,16 +92,11 @@ static void add_pressure(const Drawing *drawing)
     const double half = settings_loads(settings)->width / 2, top = drawing->room.top,
                  from = column_of(drawing, settings_loads(settings)->position - half),
                  to = column_of(drawing, settings_loads(settings)->position + half);
-    picture_add_mark(drawing->picture, (PictureMark){.x = (from + to) / 2,
-                                                     .y = top,
-                                                     .half = (to - from) / 2,
-                                                     .glyph = 0x25bc,
-                                                     .style = STYLE_HEADING,
-                                                     .kind = MARK_STANDS,
-                                                     .side = {0, 1}});
-    label(drawing, to + 1, top + 1, 1, STYLE_NORMAL, "%s MPa on %s mm",
-          text_rounded(1e-6 * settings_loads(settings)->stress, 4).text,
-          text_rounded(1e3 * settings_loads(settings)->width, 4).text);
+    picture_add_mark(drawing->picture, (PictureMark){(from + to) / 2, top, 0x25bc, STYLE_HEADING, MARK_STANDS,
+                                                     .side = {0, 1}, .half = (to - from) / 2});
+    picture_label(drawing->picture, to + 1, top + 1, 1, STYLE_NORMAL, "%s MPa on %s mm",
+                  text_rounded(1e-6 * settings_loads(settings)->stress, 4).text,
+                  text_rounded(1e3 * settings_loads(settings)->width, 4).text);
     put(drawing, column_of(drawing, settings_supports(settings)->left), drawing->room.bottom, MARK_STANDS, -1,
         settings_supports(settings)->pinned ? 0x25b2 : 0x25cb);
     put(drawing, column_of(drawing, settings_supports(settings)->right), drawing->room.bottom, MARK_STANDS,
@@ -168,16 +141,16 @@ static void add_rows(const Drawing *drawing)
                 picture_spread(drawing->picture, places[0], places[1], (double[]){1, 1}, &arrow);
                 const double x = up ? fmax(places[0][0], places[1][0]) + 2 : places[0][0] - 2 * right,
                              y = up ? places[0][1] + up : (places[0][1] + places[1][1]) / 2;
-                label(drawing, x, y, up ? 1 : -right, STYLE_NORMAL, "%s MPa",
-                      text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
+                picture_label(drawing->picture, x, y, up ? 1 : -right, STYLE_NORMAL, "%s MPa",
+                              text_rounded(1e-6 * math_hypot(sx, sy), 4).text);
             } else {
                 double corners[5][2];
                 map_row_corners(ends, corners);
                 for (int i = 0; i < 4; i++)
                     add_line(drawing, corners[i], corners[i + 1], STYLE_FRAME);
-                label(drawing, column_of(drawing, fmax(ends[0][0], ends[1][0])) + 1,
-                      row_of(drawing, (ends[0][1] + ends[1][1]) / 2 / drawing->body.size[1]), 1, STYLE_FAINT,
-                      "%s", settings->rows[kind].rows[row].name);
+                picture_label(drawing->picture, column_of(drawing, fmax(ends[0][0], ends[1][0])) + 1,
+                              row_of(drawing, (ends[0][1] + ends[1][1]) / 2 / drawing->body.size[1]), 1,
+                              STYLE_FAINT, "%s", settings->rows[kind].rows[row].name);
             }
         }
 }
@@ -216,8 +189,8 @@ static void add_parts(const Drawing *drawing)
             const double places[][2] = {{from, near}, {from, far}, {to, near}, {to, far}};
             trace(drawing, STROKE_BAND, STYLE_FRAME, 4, places);
         }
-        label(drawing, from + 2, row_of(drawing, 0.5), 1, STYLE_HEADING, "→ %s m/s",
-              text_rounded(settings_motion(drawing->settings)->speed, 4).text);
+        picture_label(drawing->picture, from + 2, row_of(drawing, 0.5), 1, STYLE_HEADING, "→ %s m/s",
+                      text_rounded(settings_motion(drawing->settings)->speed, 4).text);
     } else if (drawing->scene.bent) {
         /* The ends of a beam that vibrates are held at half its height. */
         const double y = row_of(drawing, 0.5), low = drawing->body.low[0];
@@ -231,8 +204,9 @@ static void add_parts(const Drawing *drawing)
     const int side = probe[1] >= 1 ? 1 : -1;
     put(drawing, x, row_of(drawing, probe[1]), MARK_PLACE, 0, 0x25cf);
     /* a line of cells makes room for words, a thin one does not */
-    label(drawing, x + side, row_of(drawing, probe[1]) - (side > 0 && !drawing->picture->whole), side,
-          STYLE_MEASURED, "probe");
+    picture_label(drawing->picture, x + side,
+                  row_of(drawing, probe[1]) - (side > 0 && !drawing->picture->whole), side, STYLE_MEASURED,
+                  "probe");
     for (int i = 0; i < drawing->n_lengths; i++)
         if (drawing->lengths[i].row < drawing->room.lengths) {
             /* "├── 65 mm ──┤", or upright: with a tick at both ends. */

@@ -249,10 +249,10 @@ static void add_gravity(Map *map)
         return;
     const double up = loads->gravity > 0 ? 1 : -1;
     const double along[2] = {up * math_sin(angle), -up * math_cos(angle)};
-    PictureLabel label = {.side = 1, .style = STYLE_HEADING};
-    text_append(label.text, sizeof label.text, "g %s", text_rounded(fabs(loads->gravity), 4).text);
+    const NumberText number = text_rounded(fabs(loads->gravity), 4);
     /* from its middle, in columns: the number is to the right of its tail */
-    const double tail = -along[0] * length / 2 * scale[0], words = GRAVITY_WORDS + glyphs_columns(label.text);
+    const double tail = -along[0] * length / 2 * scale[0],
+                 words = GRAVITY_WORDS + 2 + glyphs_columns(number.text);
     const double left = fabs(tail) + 1, right = fmax(fabs(tail) + 1, tail + words);
     const double edge = map->drawn->middle[0] + map->picture->body[0] / 2.0 / scale[0];
     const double outside = size[0] + (HATCH_COLUMNS + left) / scale[0];
@@ -270,8 +270,7 @@ static void add_gravity(Map *map)
             arrow.to[d] = (d == 0 ? places[i] : middle) + along[d] * length / 2;
         }
         picture_arrow(map->picture, &arrow);
-        label.x = arrow.from[0], label.y = arrow.from[1];
-        picture_label(map->picture, &label);
+        picture_label(map->picture, arrow.from[0], arrow.from[1], 1, STYLE_HEADING, "g %s", number.text);
         return;
     }
 }

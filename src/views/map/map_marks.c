@@ -185,12 +185,9 @@ void map_add_signs(Map *map)
             const double time = simulation_time(map->sim);
             const double share =
                 settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
-            PictureLabel label = {.x = last->x, .y = last->y, .side = 1, .style = STYLE_NORMAL};
-            text_append(label.text, sizeof label.text, "%s MPa",
-                        text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text);
-            if (share < 1)
-                text_append(label.text, sizeof label.text, " x %.2f", share);
-            picture_label(map->picture, &label);
+            picture_label(map->picture, last->x, last->y, 1, STYLE_NORMAL,
+                          share < 1 ? "%s MPa x %.2f" : "%s MPa",
+                          text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text, share);
         }
     }
     if (!map->scene.leaves && !by_rows) {
