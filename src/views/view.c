@@ -24,19 +24,12 @@ int view_variants(const View *view, const Screen *screen)
     return count > 0 ? count : 1;
 }
 
-/* What was chosen, as it was counted: more than there are begins again. */
-static const int *chosen_variant(const View *view, const ViewsShown *shown)
-{
-    static const int first = 0;
-    for (int i = 0; i < shown->n_variants; i++)
-        if (shown->variants[i].view == view)
-            return &shown->variants[i].variant;
-    return &first;
-}
-
 int view_variant(const View *view, const Screen *screen)
 {
-    const int variant = *chosen_variant(view, &screen->views);
+    int variant = 0; /* as it was counted when it was chosen: more than there are begins again */
+    for (int i = 0; i < screen->views.n_variants; i++)
+        if (screen->views.variants[i].view == view)
+            variant = screen->views.variants[i].variant;
     /* another run may have fewer; the choice is kept for one that has as many again */
     return variant > 0 ? variant % view_variants(view, screen) : 0;
 }

@@ -282,14 +282,6 @@ static void crack_lines(const CrackFacts *facts, double rayleigh, char first[160
     text_append(second, 160, " µs");
 }
 
-/* What comes to rest has no period, but other numbers. */
-static bool has_findings(const Screen *screen)
-{
-    Finding findings[FINDINGS_MAX];
-    return references_findings(experiment_references(screen->experiment), screen_simulation(screen),
-                               findings) > 0;
-}
-
 /* An oscillation that dies: how fast, and how fast it oscillates meanwhile, beside theory. */
 static void decay_lines(const Screen *screen, const Readout *readout, char first[160], char second[160])
 {
@@ -331,7 +323,9 @@ static void moving_lines(const Screen *screen, const Readout *readout, char firs
 bool beam_lines(const Screen *screen, char first[160], char second[160])
 {
     const Readout *readout = experiment_readout(screen->experiment);
+    const References *refs = experiment_references(screen->experiment);
     CrackFacts facts;
+    Finding findings[FINDINGS_MAX];
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
     first[0] = second[0] = '\0';
     if (crack_facts(screen_simulation(screen), &facts))
@@ -341,8 +335,9 @@ bool beam_lines(const Screen *screen, char first[160], char second[160])
         crack_fronts_facts(fronts, &found);
         crack_fronts_lines(&found, crack_rayleigh_speed(screen_settings(screen)), "µs", first, second);
     } else if (!screen_has(screen, HAS_PLANE) ||
-               (!readout->moving && (has_findings(screen) || readout->unjudged)))
-        return false;
+               (!readout->moving &&
+                (readout->unjudged || references_findings(refs, screen_simulation(screen), findings) > 0)))
+        return false; /* what comes to rest has no period, but other numbers */
     else if (!readout->moving)
         snprintf(first, 160, "nothing vibrates: no period to measure");
     else if (readout->unaccounted)

@@ -17,29 +17,12 @@ enum { LINKS_MAX = 512, SHOWN_MAX = 8 };
 #define ROWS 12.0
 
 typedef struct NearBonds {
-    const Screen *screen;
     const Simulation *sim;
     size_t node, count;
     Link links[LINKS_MAX]; /* the strongest first, broken ones last */
     size_t whole;          /* that carry something */
-    char unit[16];         /* of a force density, with a space before it */
+    const char *unit;      /* of a force density, with a space before it */
 } NearBonds;
-
-static bool take_bonds(NearBonds *bonds, const Screen *screen)
-{
-    const Simulation *sim = experiment_simulation(screen->experiment);
-    *bonds = (NearBonds){.screen = screen, .sim = sim};
-    if (sim->counts[0] == 0)
-        return false;
-    bonds->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
-    const size_t count = sim->method->links(sim, 0, bonds->node, bonds->links, LINKS_MAX);
-    bonds->count = count < LINKS_MAX ? count : LINKS_MAX;
-    simulation_sort_links(bonds->links, bonds->count);
-    while (bonds->whole < bonds->count && !bonds->links[bonds->whole].broken)
-        bonds->whole++;
-    snprintf(bonds->unit, sizeof bonds->unit, screen_problem(screen)->si ? " N/m³" : "");
-    return bonds->count > 0;
-}
 
 static void add_end(Picture *picture, double x, double y, size_t node, bool own, bool now)
 {
@@ -88,17 +71,13 @@ static void write_product(const NearBonds *bonds, const Link *link, int columns,
     text_append(out[1], 160, "%s%s", number_of(product).text, bonds->unit);
 }
 
-/* What the stretch is enlarged by, so that it is seen: a quarter of the length at most. */
-static double enlarged(double stretch)
-{
-    return stretch != 0 ? axis_step_down(0.25 / fabs(stretch)) : 1;
-}
-
 /* As the stage leaves it; NULL: between steps. */
 static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *picture)
 {
     const Link *link = &bonds->links[0];
-    const double factor = enlarged(link->stretch), half = 0.25 * (1 + factor * link->stretch);
+    /* the stretch is enlarged so that it is seen: a quarter of the length at most */
+    const double factor = link->stretch != 0 ? axis_step_down(0.25 / fabs(link->stretch)) : 1;
+    const double half = 0.25 * (1 + factor * link->stretch);
     char text[200], product[2][160];
     const bool left = link->apart[0] < 0; /* its other end */
     const size_t ends[2] = {left ? link->index : bonds->node, left ? bonds->node : link->index};
@@ -199,8 +178,20 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
 
 void cell_bonds_describe(const Screen *screen, int variant, Picture *picture)
 {
-    NearBonds *bonds = malloc(sizeof *bonds);
-    if (!bonds || !take_bonds(bonds, screen))
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const size_t nodes = sim->counts[0], chosen = screen->chosen.particle;
+    NearBonds *bonds = calloc(1, sizeof *bonds);
+    if (bonds && nodes > 0) {
+        bonds->sim = sim;
+        bonds->unit = screen_problem(screen)->si ? " N/m³" : "";
+        bonds->node = chosen < nodes ? chosen : nodes - 1;
+        const size_t count = sim->method->links(sim, 0, bonds->node, bonds->links, LINKS_MAX);
+        bonds->count = count < LINKS_MAX ? count : LINKS_MAX;
+        simulation_sort_links(bonds->links, bonds->count);
+        while (bonds->whole < bonds->count && !bonds->links[bonds->whole].broken)
+            bonds->whole++;
+    }
+    if (!bonds || bonds->count == 0)
         picture_say(picture, "close-up of bonds", "This node has no bonds.");
     else if (variant == 1)
         describe_family(bonds, picture);

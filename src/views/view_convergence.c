@@ -47,21 +47,12 @@ static double shown(const Study *study, double value)
 
 /* --- words ---------------------------------------------------------------------------------------- */
 
-/* How many points of a line are known. */
-static int known_in_line(const Study *study, int line)
-{
-    const int known = study->known - line * study->line_points;
-    return known < 0 ? 0 : known > study->line_points ? study->line_points : known;
-}
-
 /* "  order: 2 x 2 2.00, 3 x 3 2.01" */
 static void append_orders(const Study *study, char out[160])
 {
-    for (int line = 0; line < study->lines; line++) {
-        const int known = known_in_line(study, line);
-        const double fitted = convergence_fitted_order(study->points + line * study->line_points, known);
-        if (known < study->line_points)
-            return;
+    const int points = study->line_points;
+    for (int line = 0; line < study->lines && study->known - line * study->line_points >= points; line++) {
+        const double fitted = convergence_fitted_order(study->points + line * points, points);
         text_append(out, 160, line > 0 ? ", %s" : "  order: %s", study->of->lines[line]);
         if (isfinite(fitted))
             text_append(out, 160, " %.2f", fitted);

@@ -166,17 +166,6 @@ static void mode_lines(const Screen *screen, char first[NOTE_TEXT], char second[
         append_factor(second, "free end", predicted / mode.predicted);
 }
 
-/* The curve of each run that can go on: of both in a duel. */
-static void add_predicted(Picture *picture, const ShownRun *run, int last, int every)
-{
-    ModeOnMesh mode;
-    Plot *plot = &picture->plot;
-    plot_begin(plot, STROKE_LINE, pen_predicted);
-    for (int n = 1; n <= last; n += every)
-        if (dispersion_mode(run->settings, n, &mode))
-            plot_point(plot, n, percent(mode.predicted / mode.exact));
-}
-
 /* --- the other ways of a method --- */
 
 enum { WAYS_MAX = 6 };
@@ -301,8 +290,12 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
             picture_mark(picture, n, error, (uint32_t)(unsigned char)letters[i], way_styles[i]);
     }
     for (int i = 0; i < n_runs && predicted; i++)
-        if (runs[i].experiment)
-            add_predicted(picture, &runs[i], last, every);
+        if (runs[i].experiment) { /* the curve of each run that can go on: of both in a duel */
+            plot_begin(&picture->plot, STROKE_LINE, pen_predicted);
+            for (int n = 1; n <= last; n += every)
+                if (dispersion_mode(runs[i].settings, n, &mode))
+                    plot_point(&picture->plot, n, percent(mode.predicted / mode.exact));
+        }
     for (int i = 0; i < n_dots; i++) /* ghosts first, so that the present run lies on top */
         picture_add_mark(picture, dots[i]);
     note_mode(screen, picture, n_ways);
@@ -313,13 +306,6 @@ static void describe_bar(const Screen *screen, int variant, bool with_ways, Pict
 static double milliseconds(double seconds)
 {
     return seconds / 1e-3;
-}
-
-/* A supported beam has a period; that of a moving one grows, so the error is that of its last
- * period. */
-static double beam_answer(const Readout *readout)
-{
-    return readout->drifting ? readout->error_period : milliseconds(readout->measured);
 }
 
 /* What a period depends on: how far bonds reach or, where there are none, the cells. */
@@ -337,9 +323,12 @@ static int beam_dots(const Screen *screen, PictureMark dots[RUNS_MAX])
     int count = 0;
     for (int i = 0; i < n_runs; i++) {
         const Settings *settings = runs[i].settings;
-        if (settings->problem == own->problem && settings->method == own->method &&
-            runs[i].readout->measured_known)
-            dots[count++] = dot_of(&runs[i], reach_of(screen, settings), beam_answer(runs[i].readout));
+        const Readout *readout = runs[i].readout;
+        /* the period of a moving beam grows, so the error is that of its last one */
+        if (settings->problem == own->problem && settings->method == own->method && readout->measured_known)
+            dots[count++] =
+                dot_of(&runs[i], reach_of(screen, settings),
+                       readout->drifting ? readout->error_period : milliseconds(readout->measured));
     }
     return count;
 }

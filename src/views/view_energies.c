@@ -48,11 +48,6 @@ static void add_layer(Stack *stack, const char *name, int column, int minus, Sty
     }
 }
 
-static bool breaks(const Experiment *experiment)
-{
-    return simulation_has(experiment_simulation(experiment), HAS_BREAKING);
-}
-
 /* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
  * millionth of it, and the two cannot be distinguished by a difference: a hundred-millionth more speed along
  * the beam, times its mass and its speed, is as much as the whole vibration. */
@@ -99,7 +94,7 @@ static Stack stack_of(const Screen *screen)
         add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
     }
     add_layer(&stack, "strain", experiment_column(screen->experiment, "strain"), -1, STYLE_EXACT);
-    if (experiment_column(screen->experiment, "kinetic_grid") >= 0 || breaks(screen->experiment))
+    if (grid >= 0 || screen_has(screen, HAS_BREAKING))
         add_layer(&stack, "dissipated", experiment_column(screen->experiment, "dissipated"), -1, STYLE_THIRD);
     /* on a tilted floor it has no least value */
     const Settings *settings = screen_settings(screen);
@@ -303,7 +298,7 @@ static void note_runs(const Screen *screen, Picture *picture, bool both, double 
     /* of velocities and stresses half a step apart there is more to say; velocity Verlet has none */
     const bool staggered = experiment_column(screen->experiment, "kinetic_grid") >= 0;
     const bool more = staggered || most_work > 0 || rigid_energy(screen->experiment) > 0;
-    const int rows = 1 + more + (staggered || breaks(screen->experiment));
+    const int rows = 1 + more + (staggered || screen_has(screen, HAS_BREAKING));
     for (int run = 0; run < 2 && both; run++) {
         const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
         note_run(&one, picture, run == 0 ? "A " : "B ", most_work, 1);

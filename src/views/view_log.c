@@ -24,19 +24,10 @@ typedef struct Log {
 } Log;
 
 /* What ends or endangers the run stands out: crossings and breaks come by the hundred. */
-static Style style_of(const Event *event)
-{
-    switch (event->kind) {
-    case EVENT_FAILURE:
-        return STYLE_ERROR;
-    case EVENT_ADVICE:
-    case EVENT_ENERGY:
-    case EVENT_TEAR:
-        return STYLE_WARNING;
-    default:
-        return STYLE_NORMAL;
-    }
-}
+static const Style styles[EVENT_KINDS] = {[EVENT_FAILURE] = STYLE_ERROR,
+                                          [EVENT_ADVICE] = STYLE_WARNING,
+                                          [EVENT_ENERGY] = STYLE_WARNING,
+                                          [EVENT_TEAR] = STYLE_WARNING};
 
 static void add_run(Log *log, const Experiment *experiment, char run)
 {
@@ -56,39 +47,16 @@ static void add_run(Log *log, const Experiment *experiment, char run)
     }
 }
 
-static void list_entries(const Screen *screen, Log *log)
-{
-    *log = (Log){.count = 0};
-    const bool both = screen_is_shared(screen);
-    add_run(log, screen->experiment, both ? 'A' : '\0');
-    if (both)
-        add_run(log, screen_second_run(screen), 'B');
-}
-
-/* The step at which the run, of a duel A, is where it happened. */
-static long step_of(const Screen *screen, const LogEntry *entry)
-{
-    if (entry->run != 'B')
-        return entry->event->step;
-    /* A's first step that is not before it: seen from there, it has happened */
-    const double steps = ceil(entry->time / screen_simulation(screen)->dt - 1e-9);
-    const long last = experiment_last_step(screen->experiment);
-    return steps < (double)last ? (long)steps : last;
-}
-
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     (void)variant;
-    Log log;
-    char text[80];
+    Log log = {.count = 0};
     const bool both = screen_is_shared(screen);
-    list_entries(screen, &log);
+    add_run(&log, screen->experiment, both ? 'A' : '\0');
     if (both)
-        snprintf(text, sizeof text, "what happened: %d event%s of A, %d of B", log.of_run[0],
-                 log.of_run[0] == 1 ? "" : "s", log.of_run[1]);
-    else
-        snprintf(text, sizeof text, "what happened: %d event%s", log.count, log.count == 1 ? "" : "s");
-    picture_heading(picture, "%s", text);
+        add_run(&log, screen_second_run(screen), 'B');
+    picture_heading(picture, both ? "what happened: %d event%s of A, %d of B" : "what happened: %d event%s",
+                    log.of_run[0], log.of_run[0] == 1 ? "" : "s", log.of_run[1]);
     const LogPlace *place = &screen->log;
     /* until one is chosen it is the newest: the list goes on with the run */
     const int newest = log.count > 0 ? log.count - 1 : 0;
@@ -96,19 +64,24 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     PictureList *list = picture_list(picture, -1, (size_t)log.count, (size_t)chosen, both ? 3 : 2);
     if (log.count == 0)
         picture_note(picture, STYLE_FAINT, "nothing out of the ordinary so far");
-    if (log.beyond > 0) {
+    if (log.beyond > 0)
         picture_note(picture, STYLE_FAINT, "and %ld more events that are not kept", log.beyond);
-    }
     if (!list)
         return;
     list->top = (size_t)place->first;
     list->columns[0].kind = list->columns[both].kind = LIST_SIGN;
     list->columns[both + 1].kind = LIST_WORDS;
-    if (log.count > 0)
-        picture->step = step_of(screen, &log.entries[chosen]);
+    if (log.count > 0 && log.entries[chosen].run != 'B')
+        picture->step = log.entries[chosen].event->step;
+    else if (log.count > 0) {
+        /* A's first step that is not before it: seen from there, it has happened */
+        const double steps = ceil(log.entries[chosen].time / screen_simulation(screen)->dt - 1e-9);
+        const long last = experiment_last_step(screen->experiment);
+        picture->step = steps < (double)last ? (long)steps : last;
+    }
     for (size_t i = 0; i < list->rows; i++) {
         const LogEntry *entry = &log.entries[i];
-        const Style style = style_of(entry->event);
+        const Style style = styles[entry->event->kind];
         screen_time_text(screen, entry->time, list->names[i], sizeof list->names[i]);
         *picture_cell(list, 0, i) =
             (PictureCell){.letter = entry->run, .style = entry->run == 'B' ? STYLE_SECOND : STYLE_MEASURED};

@@ -13,17 +13,12 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The columns that can be in the probe view: what is measured, without energies. */
-static bool is_energy(const char *name)
+/* The columns that can be in the probe view: what is measured, without energies. What a beam that breaks is
+ * looked at for comes first; where bonds never break there is nothing to count. */
+static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
 {
     static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",    "work",     "dissipated",
                                            "damped",  "total",        "potential", "friction", NULL};
-    return text_place_in(name, energies) >= 0;
-}
-
-/* What a beam that breaks is looked at for comes first; where bonds never break there is nothing to count. */
-static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
-{
     int n, count = 0;
     const Column *columns = experiment_columns(screen->experiment, &n);
     const bool cracks = crack_variants(screen) > 0;
@@ -35,8 +30,8 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     for (int i = 2; i < n; i++) {
         const bool has_picture =
             cracks && (i == broken || i == speed); /* the first one, and one of a crack's */
-        if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !is_energy(columns[i].quantity.name) &&
-            !has_picture && (i != broken || breaks))
+        if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !has_picture &&
+            text_place_in(columns[i].quantity.name, energies) < 0 && (i != broken || breaks))
             out[count++] = i;
     }
     return count;
@@ -117,12 +112,6 @@ static int add_lines(const Screen *screen, const ShownRun *run, const char *name
     }
     return count;
 }
-
-/* What the axis of the values has to hold. */
-typedef struct Range {
-    double reach, least, most;
-    bool oscillates; /* around zero; what only grows has its own range */
-} Range;
 
 /* --- lines under the plot ------------------------------------------------------------------------- */
 
@@ -266,7 +255,8 @@ static void note_readout(const Screen *screen, Picture *picture, const Line *lin
 /* The axis of the values of these runs, over all that they have, foreign series and references will be. */
 static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, const Quantity *quantity)
 {
-    Range range = {.least = INFINITY, .most = -INFINITY};
+    double reach = 0, low = INFINITY, high = -INFINITY; /* what the axis has to hold */
+    bool oscillates = false;                            /* around zero; what only grows has its own range */
     for (int i = n_runs - 1; i >= 0; i--)
         if (runs[i].experiment) {
             const int column = runs_column(&runs[i], quantity->name);
@@ -276,42 +266,44 @@ static Axis value_axis(const Screen *screen, const ShownRun *runs, int n_runs, c
             bool asked = false;
             /* a range is asked for of a screen, and each run of a duel has its own */
             one.experiment = runs[i].experiment;
-            range.reach = fmax(range.reach, time_plot_reach(record, column));
+            reach = fmax(reach, time_plot_reach(record, column));
             for (int j = 2; j < runs[i].n_columns; j++) {
                 if (runs[i].columns[j].of != column)
                     continue;
                 if (!asked)
                     time_plot_range_to_come(&one, least, most);
-                asked = range.oscillates = true;
+                asked = oscillates = true;
                 if (runs[i].columns[j].kind != COLUMN_MEASURED) {
-                    range.reach = fmax(range.reach, fmax(-least[j], most[j]));
-                    range.least = fmin(range.least, least[j]);
-                    range.most = fmax(range.most, most[j]);
+                    reach = fmax(reach, fmax(-least[j], most[j]));
+                    low = fmin(low, least[j]);
+                    high = fmax(high, most[j]);
                 }
             }
             for (size_t j = 0; j < record->count; j += time_plot_stride(record)) {
                 const double value = record_row(record, j)[column];
-                range.least = value < range.least ? value : range.least;
-                range.most = value > range.most ? value : range.most;
+                low = value < low ? value : low;
+                high = value > high ? value : high;
             }
         }
-    overlay_widen(screen, quantity->name, false, &range.least, &range.most);
-    range.reach = fmax(range.reach, overlay_reach(screen, quantity->name, false));
+    double foreign[2] = {0, 0};
+    overlay_widen(screen, quantity->name, false, &low, &high);
+    overlay_widen(screen, quantity->name, false, &foreign[0], &foreign[1]);
+    reach = fmax(reach, fmax(-foreign[0], foreign[1]));
     if (has_envelope(screen, quantity->name)) {
         const double end = settings_time(screen_settings(screen))->end;
         const References *refs = experiment_references(screen->experiment);
-        range.reach = fmax(range.reach, fmax(references_envelope(refs, quantity->name, 0),
-                                             references_envelope(refs, quantity->name, end)));
+        reach = fmax(reach, fmax(references_envelope(refs, quantity->name, 0),
+                                 references_envelope(refs, quantity->name, end)));
     }
     if (strcmp(quantity->unit, "1") == 0) /* of things */
-        return axis_count(range.most);
+        return axis_count(high);
     /* what oscillates to one side of zero, a place, is seen about its own middle; what is conserved is not
      * magnified, nor are errors of rounding below zero */
-    const double below = -0.1 * range.most;
-    const bool aside = range.least > below && range.most > (1 + 1e-9) * range.least;
-    if ((range.oscillates && !aside) || range.least < below)
-        return axis_symmetric(range.reach);
-    return axis_around(fabs(range.least) < 1e-9 * range.most ? 0 : range.least, range.most);
+    const double below = -0.1 * high;
+    const bool aside = low > below && high > (1 + 1e-9) * low;
+    if ((oscillates && !aside) || low < below)
+        return axis_symmetric(reach);
+    return axis_around(fabs(low) < 1e-9 * high ? 0 : low, high);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)

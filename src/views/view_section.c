@@ -148,19 +148,6 @@ static bool is_beam(const Screen *screen)
 
 /* --- words ------------------------------------------------------------------------------------------ */
 
-/* How far the section is from the line, root mean square, and against how far the line reaches. */
-static double off_line(const Section *section, double *share)
-{
-    double off = 0, line = 0;
-    for (size_t j = 0; j < section->rows; j++) {
-        const double there = section->theory[j];
-        off += (section->mean[j] - there) * (section->mean[j] - there);
-        line += there * there;
-    }
-    *share = line > 0 ? sqrt(off / line) : NAN;
-    return sqrt(off / (double)section->rows);
-}
-
 /* How far the columns of the cell are from their mean, root mean square. */
 static double apart(const Section *section)
 {
@@ -185,12 +172,19 @@ static void append_quantity(char out[160], const char *before, double value, con
 static void section_line(const Section *section, char out[160])
 {
     const SectionPart *of = section->of;
-    double share, away = off_line(section, &share);
+    /* How far the section is from the line, root mean square, and against how far the line reaches. */
+    double off = 0, line = 0;
+    for (size_t j = 0; j < section->rows; j++) {
+        const double there = section->theory[j];
+        off += (section->mean[j] - there) * (section->mean[j] - there);
+        line += there * there;
+    }
+    const double share = line > 0 ? sqrt(off / line) : NAN;
     snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
     if (!is_beam(section->screen))
         return;
     if (!of->resultant) {
-        append_quantity(out, "  off the line by", away, of->unit);
+        append_quantity(out, "  off the line by", sqrt(off / (double)section->rows), of->unit);
         if (share < 1)
             text_append(out, 160, " = %.1f %%", 100 * share);
         text_append(out, 160, "  duy/dx %s", text_fitted(slope_of(section), 3, 10).text);

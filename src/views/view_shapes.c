@@ -185,21 +185,6 @@ static double pick(const Link *link, bool slope)
     return slope ? link->gradient[0] : link->weight;
 }
 
-/* The value of one node's function at a place. */
-static double value_at(const Simulation *sim, double x, size_t node, bool slope, double *sum)
-{
-    Link links[LINKS_MAX];
-    size_t count = sim->method->shapes(sim, &x, links, LINKS_MAX);
-    double value = 0;
-    *sum = count ? 0 : NAN;
-    for (size_t i = 0; i < count && i < LINKS_MAX; i++) {
-        *sum += pick(&links[i], slope);
-        if (links[i].index == node)
-            value = pick(&links[i], slope);
-    }
-    return count ? value : NAN;
-}
-
 /* The nodes that a place sees; at most LINKS_MAX. */
 static size_t shapes_at(const Simulation *sim, double x, Link links[LINKS_MAX])
 {
@@ -207,15 +192,19 @@ static size_t shapes_at(const Simulation *sim, double x, Link links[LINKS_MAX])
     return count < LINKS_MAX ? count : LINKS_MAX;
 }
 
+/* The function of one node, or the sum of all. */
 static void add_curve(Picture *picture, const Simulation *sim, size_t node, bool slope, int pieces,
                       bool of_sum)
 {
     const Axis *x = &picture->plot.x;
     for (int i = 0; i <= pieces; i++) {
-        double sum;
         const double at = x->low + (x->high - x->low) * i / pieces;
-        const double value = value_at(sim, at, node, slope, &sum);
-        plot_point(&picture->plot, at, of_sum ? sum : value != 0 ? value : NAN);
+        Link links[LINKS_MAX];
+        const size_t count = shapes_at(sim, at, links);
+        double value = count ? 0 : NAN;
+        for (size_t k = 0; k < count; k++)
+            value += of_sum || links[k].index == node ? pick(&links[k], slope) : 0;
+        plot_point(&picture->plot, at, of_sum || value != 0 ? value : NAN);
     }
 }
 

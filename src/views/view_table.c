@@ -15,24 +15,17 @@ static int variants_of(const Screen *screen)
     return screen_simulation(screen)->n_sets;
 }
 
-/* The fields of a set: those of its CSV table first, in their order, then the others. */
-static int list_fields(const Simulation *sim, int set, int fields[FIELDS_MAX])
-{
-    int count = 0;
-    for (int pass = 0; pass < 2; pass++)
-        for (int i = 0; i < sim->n_fields && count < FIELDS_MAX; i++)
-            if (sim->fields[i].set == set && sim->fields[i].in_table == (pass == 0))
-                fields[count++] = i;
-    return count;
-}
-
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const Simulation *sim = screen_simulation(screen);
     const int set = variant < sim->n_sets ? variant : 0;
     const size_t count = sim->counts[set], wanted = set == 0 ? screen->chosen.particle : screen->chosen.node;
-    int fields[FIELDS_MAX];
-    const int n_fields = list_fields(sim, set, fields), last = n_fields - 1;
+    int fields[FIELDS_MAX], n_fields = 0;
+    for (int pass = 0; pass < 2; pass++) /* those of its CSV table first, in their order, then the others */
+        for (int i = 0; i < sim->n_fields && n_fields < FIELDS_MAX; i++)
+            if (sim->fields[i].set == set && sim->fields[i].in_table == (pass == 0))
+                fields[n_fields++] = i;
+    const int last = n_fields - 1;
     PictureList *list = picture_list(picture, set, count,
                                      wanted < count ? wanted
                                      : count > 0    ? count - 1

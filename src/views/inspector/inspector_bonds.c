@@ -15,27 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void describe_node(const Screen *screen, size_t node, size_t n_bonds, Picture *picture)
-{
-    static const char *const told[][2] = {
-        {"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
-    const Simulation *sim = screen_simulation(screen);
-    char text[160] = "";
-    picture_heading(picture, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "", node,
-                    text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, n_bonds);
-    snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
-    text[0] = '\0';
-    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
-        if (simulation_find_field(sim, 0, told[i][1]) < 0)
-            continue;
-        text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
-                    text_fitted(simulation_named(sim, 0, told[i][1], node), 5, 11).text);
-    }
-    picture_note(picture, STYLE_NORMAL, "%s", text);
-    picture_note(picture, STYLE_FAINT,
-                 "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
-}
-
 /* What the force of the node is made of, as far as this step has come: into the columns that add, of these
  * fields and with these loads. */
 static void add_totals(const Simulation *sim, size_t node, const char *const *fields, const double *loads,
@@ -98,7 +77,19 @@ static void describe(const Screen *screen, Picture *picture)
     const size_t node = chosen < last ? chosen : last;
     const size_t found = sim->method->links(sim, 0, node, links, TABLE_ROWS_MAX);
     const size_t count = found < TABLE_ROWS_MAX ? found : TABLE_ROWS_MAX;
-    describe_node(screen, node, count, picture);
+    static const char *const told[][2] = {
+        {"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
+    char text[160] = "";
+    picture_heading(picture, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "", node,
+                    text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, count);
+    snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        if (simulation_find_field(sim, 0, told[i][1]) >= 0)
+            text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
+                        text_fitted(simulation_named(sim, 0, told[i][1], node), 5, 11).text);
+    picture_note(picture, STYLE_NORMAL, "%s", text);
+    picture_note(picture, STYLE_FAINT,
+                 "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
     PictureTable *table = picture_table(picture);
     if (table)
         describe_sum(screen, node, links, count, table);
@@ -173,25 +164,17 @@ static double critical_stretch(const Family *family)
 
 /* --- the family around it ---------------------------------------------------------------------------- */
 
-/* The factor that makes stretches numbers of two or three digits: in percent of s0, or of a power of ten. */
-static double scale_of(const Family *family, char *meaning, size_t size)
-{
-    double most = 0;
-    for (int k = 0; k < family->count; k++)
-        most = fmax(most, family->links[k].broken ? 0 : fabs(family->links[k].stretch));
-    if (critical_stretch(family) > 0) {
-        snprintf(meaning, size, "%% of s0");
-        return 100 / critical_stretch(family);
-    }
-    const int exponent = most > 0 ? (int)floor(math_log10(most)) - 1 : 0;
-    snprintf(meaning, size, "s x10^%d", exponent);
-    return math_pow(10, -exponent);
-}
-
 static void describe_around(const Family *family, PictureAround *around)
 {
     const int reach = around->reach = family->reach;
-    const double scale = scale_of(family, around->meaning, sizeof around->meaning);
+    const double s0 = critical_stretch(family);
+    double most = 0;
+    for (int k = 0; k < family->count; k++)
+        most = fmax(most, family->links[k].broken ? 0 : fabs(family->links[k].stretch));
+    /* stretches are numbers of two or three digits: in percent of s0, or of a power of ten */
+    const int exponent = most > 0 ? (int)floor(math_log10(most)) - 1 : 0;
+    const double scale = s0 > 0 ? 100 / s0 : math_pow(10, -exponent);
+    snprintf(around->meaning, sizeof around->meaning, s0 > 0 ? "%% of s0" : "s x10^%d", exponent);
     const double farthest = lattice_reach(family->settings) / family->body.spacing;
     const struct AroundPlace none = {.sign = 0x00b7, .style = STYLE_FAINT, .thing.set = -1};
     /* who is missing: beyond a surface there is no node */
@@ -235,22 +218,6 @@ static void note_stretch(const Family *family, const Link *link, Picture *pictur
     picture_note(picture, STYLE_CHANGED, "%s", text);
 }
 
-/* The bond that broke last, with both ends; in the step in which it did with the stretch that broke it. Enter
- * goes there. */
-static void note_last(const Family *family, Picture *picture)
-{
-    if (family->last < 0)
-        return;
-    const Link *link = &family->links[family->last];
-    const bool now = link->broken_at == family->sim->step + (family->sim->stage > 0);
-    picture_note(picture, STYLE_WARNING,
-                 now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld", family->node,
-                 link->index, link->broken_at);
-    picture->step = link->broken_at;
-    if (now)
-        note_stretch(family, link, picture);
-}
-
 static const char *why_it_holds(const Family *family, const Link *link)
 {
     const double s0 = critical_stretch(family);
@@ -262,19 +229,6 @@ static const char *why_it_holds(const Family *family, const Link *link)
         simulation_named(family->sim, 0, "protected", link->index) > 0)
         return "holds: protected, near load or support";
     return "breaks in the next stage of bond forces";
-}
-
-/* The most stretched bond that is whole. */
-static void note_most(const Family *family, Picture *picture)
-{
-    if (family->most < 0) {
-        picture_note(picture, STYLE_WARNING, "no bond of it is whole");
-        return;
-    }
-    const Link *link = &family->links[family->most];
-    picture_note(picture, STYLE_HEADING, "most stretched: to node %zu", link->index);
-    note_stretch(family, link, picture);
-    picture_note(picture, STYLE_NORMAL, "%s", why_it_holds(family, link));
 }
 
 /* --- the forces --------------------------------------------------------------------------------------- */
@@ -337,8 +291,25 @@ static void family_describe(const Screen *screen, Picture *picture)
     }
     const Simulation *sim = family.sim;
     describe_subject(&family, picture);
-    note_last(&family, picture);
-    note_most(&family, picture);
+    if (family.last >= 0) {
+        /* The bond that broke last, with both ends; in the step in which it did with the stretch that broke
+         * it. Enter goes there. */
+        const Link *link = &family.links[family.last];
+        const bool now = link->broken_at == sim->step + (sim->stage > 0);
+        picture_note(picture, STYLE_WARNING,
+                     now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld",
+                     family.node, link->index, link->broken_at);
+        picture->step = link->broken_at;
+        if (now)
+            note_stretch(&family, link, picture);
+    }
+    const Link *most = family.most >= 0 ? &family.links[family.most] : NULL; /* that is whole */
+    if (most) {
+        picture_note(picture, STYLE_HEADING, "most stretched: to node %zu", most->index);
+        note_stretch(&family, most, picture);
+        picture_note(picture, STYLE_NORMAL, "%s", why_it_holds(&family, most));
+    } else
+        picture_note(picture, STYLE_WARNING, "no bond of it is whole");
     PictureAround *around = picture_around(picture);
     if (around)
         describe_around(&family, around);

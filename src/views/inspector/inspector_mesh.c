@@ -85,18 +85,6 @@ static TableColumn *factor_named(PictureTable *table, const char *name)
     return NULL;
 }
 
-static void add_shapes(const Block *block)
-{
-    static const char *const names[2][3] = {{"N", "N′"}, {"N", "N,x", "N,y"}};
-    const Subject *subject = block->subject;
-    for (int s = 0; s < subject->shapes; s++) {
-        TableColumn *column = add_column(block->table, names[subject->shapes == 3][s]);
-        column->stays = true;
-        for (size_t i = 0; i < subject->n_links; i++)
-            column->values[i] = s == 0 ? subject->links[i].weight : subject->links[i].gradient[s - 1];
-    }
-}
-
 static void add_factors(const Block *block, int exchange)
 {
     PictureTable *table = block->table;
@@ -116,31 +104,13 @@ static void add_factors(const Block *block, int exchange)
         text_append(table->notes, sizeof table->notes, "%s%s", *table->notes ? ", " : "", passed->note);
 }
 
-/* What the field was before the stage, where that is added to; and what it is right after it. */
-static void add_totals(const Block *block, const Exchange *passed, TableColumn *column)
-{
-    const Subject *subject = block->subject;
-    const int field = simulation_find_field(subject->sim, passed->to, passed->field);
-    column->label = subject->sim->fields[field].quantity.label;
-    column->brief = passed->field;
-    column->base = column->result = NAN;
-    /* of what is given there is no sum at the giver; later stages may have changed what this one left */
-    if (!block->takes || subject->sim->stage != block->stage + 1)
-        return;
-    if (passed->adds &&
-        !experiment_field_before(subject->screen->experiment, field, subject->index, 1, &column->base)) {
-        column->base = NAN;
-        return;
-    }
-    column->result = simulation_value(subject->sim, field, subject->index);
-}
-
 static void add_product(const Block *block, int exchange)
 {
     PictureTable *table = block->table;
     const Subject *subject = block->subject;
     const Exchange *passed = &subject->sim->exchanges[exchange];
     const unsigned bit = 1u << table->n_columns;
+    const int field = simulation_find_field(subject->sim, passed->to, passed->field);
     const char *words = passed->factors;
     char word[32];
     TableColumn *column = add_column(table, words);
@@ -152,23 +122,16 @@ static void add_product(const Block *block, int exchange)
     while (text_next_word(&words, word, sizeof word))
         if (factor_named(table, word))
             factor_named(table, word)->in |= bit;
-    add_totals(block, passed, column);
-}
-
-/* What is given to whom, in full or in short. */
-static void write_title(const Block *block)
-{
-    const Simulation *sim = block->subject->sim;
-    PictureTable *table = block->table;
-    const Set *other = &sim->sets[1 - block->subject->set], *own = &sim->sets[block->subject->set];
-    const char *next = sim->stage == 0 ? "next, " : "";
-    snprintf(table->brief, sizeof table->brief, "%sstage %d: %s to %s", next, block->stage + 1,
-             block->takes ? other->plural : own->name, block->takes ? own->name : other->plural);
-    snprintf(table->title, sizeof table->title,
-             block->takes ? "%sstage %d, %s: what its %s give to this %s"
-                          : "%sstage %d, %s: what this %s gives to its %s",
-             next, block->stage + 1, sim->stages[block->stage].name, block->takes ? other->plural : own->name,
-             block->takes ? own->name : other->plural);
+    column->label = subject->sim->fields[field].quantity.label;
+    column->brief = passed->field;
+    /* What the field was before the stage, where that is added to, and what it is right after it. Of what is
+     * given there is no sum at the giver; later stages may have changed what this one left. */
+    double before = NAN;
+    bool known = block->takes && subject->sim->stage == block->stage + 1;
+    if (known && passed->adds)
+        known = experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before);
+    column->base = known ? before : NAN;
+    column->result = known ? simulation_value(subject->sim, field, subject->index) : NAN;
 }
 
 static void describe_block(const Subject *subject, int stage, bool takes, Picture *picture)
@@ -179,7 +142,14 @@ static void describe_block(const Subject *subject, int stage, bool takes, Pictur
     const int other = 1 - subject->set;
     if (!table)
         return;
-    write_title(&block);
+    /* What is given to whom, in full or in short. */
+    const char *next = sim->stage == 0 ? "next, " : "", *own = sim->sets[subject->set].name;
+    const char *giver = takes ? sim->sets[other].plural : own, *taker = takes ? own : sim->sets[other].plural;
+    snprintf(table->brief, sizeof table->brief, "%sstage %d: %s to %s", next, stage + 1, giver, taker);
+    snprintf(table->title, sizeof table->title,
+             takes ? "%sstage %d, %s: what its %s give to this %s"
+                   : "%sstage %d, %s: what this %s gives to its %s",
+             next, stage + 1, sim->stages[stage].name, giver, taker);
     table->what = sim->sets[other].name;
     table->of_directions = subject->shapes == 3;
     table->count = subject->n_links;
@@ -187,7 +157,13 @@ static void describe_block(const Subject *subject, int stage, bool takes, Pictur
         table->rows[i].thing = (PictureThing){other, subject->links[i].index};
         snprintf(table->rows[i].name, sizeof table->rows[i].name, "%zu", subject->links[i].index);
     }
-    add_shapes(&block);
+    static const char *const names[2][3] = {{"N", "N′"}, {"N", "N,x", "N,y"}};
+    for (int s = 0; s < subject->shapes; s++) {
+        TableColumn *column = add_column(table, names[subject->shapes == 3][s]);
+        column->stays = true;
+        for (size_t i = 0; i < subject->n_links; i++)
+            column->values[i] = s == 0 ? subject->links[i].weight : subject->links[i].gradient[s - 1];
+    }
     /* factors stand once, before all products that they are part of: these are read from left to right */
     for (int e = 0; e < sim->n_exchanges; e++)
         if (is_passed(&block, e))

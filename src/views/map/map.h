@@ -119,10 +119,8 @@ void map_add_bonds(Map *);
 void map_add_box(Map *);        /* of bodies: cells of the grid, walls, gravity */
 void map_add_velocities(Map *); /* of bodies coloured by their speed: an arrow on some of the particles */
 void map_add_mesh(Map *);
-void map_add_lines(Map *);     /* channel, notch, protected zones, crack */
-void map_add_rows(Map *);      /* what a plate has by rows, and its cracks; by map_add_lines() */
-void map_add_signs(Map *);     /* supports, load, chosen node */
-void map_add_row_signs(Map *); /* likewise loads, tips, probe; by map_add_signs() */
+void map_add_lines(Map *); /* channel, notch, protected zones, crack; what a plate has by rows */
+void map_add_signs(Map *); /* supports, loads, tips, probe, chosen node */
 
 /* A mesh is drawn under the particles that are seen one by one; "cross 0.56, -0.02 MPa": the principal
  * stresses that are drawn on the chosen particle. */

@@ -221,28 +221,6 @@ static void add_parts(const Drawing *drawing)
         }
 }
 
-/* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm". */
-static void add_notes(const Drawing *drawing)
-{
-    const Settings *settings = drawing->settings;
-    char text[160];
-    const double least = drawing->picture->whole ? 0.2 : 1e-9; /* a row is not stretched */
-    picture_note(drawing->picture, STYLE_NORMAL,
-                 fabs(math_log(drawing->room.stretch)) < least ? "to scale" : "height × %s",
-                 text_rounded(drawing->room.stretch, 2).text);
-    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm",
-             text_rounded(1e-9 * settings_material(settings)->youngs_modulus, 4).text,
-             text_rounded(settings_material(settings)->density, 5).text,
-             text_rounded(1e3 * settings_geometry(settings)->thickness, 4).text);
-    if (drawing->scene.bent && settings_start(settings)->amplitude != 0)
-        text_append(text, sizeof text, "  U %s µm",
-                    text_rounded(1e6 * settings_start(settings)->amplitude, 4).text);
-    if (settings_loads(settings)->body_force != 0)
-        text_append(text, sizeof text, "  body force %s m/s²",
-                    text_rounded(settings_loads(settings)->body_force, 4).text);
-    picture_note(drawing->picture, STYLE_FAINT, "%s", text);
-}
-
 void map_drawing(const Screen *screen, Picture *picture)
 {
     const Settings *settings = screen_settings(screen);
@@ -256,19 +234,35 @@ void map_drawing(const Screen *screen, Picture *picture)
     const MapScene *scene = &drawing.scene;
     int row = 0;
     if (scene->leaves)
-        add(&drawing, -settings_motion(drawing.settings)->channel, 0, row);
+        add(&drawing, -settings_motion(settings)->channel, 0, row);
     if (scene->notched)
-        add(&drawing, 0, settings_notch(drawing.settings)->position, row++);
+        add(&drawing, 0, settings_notch(settings)->position, row++);
     if (scene->pressed) {
-        add(&drawing, 0, settings_loads(drawing.settings)->position, row++);
-        add(&drawing, settings_supports(drawing.settings)->left, settings_supports(drawing.settings)->right,
-            row++);
+        add(&drawing, 0, settings_loads(settings)->position, row++);
+        add(&drawing, settings_supports(settings)->left, settings_supports(settings)->right, row++);
     }
-    add(&drawing, 0, settings_geometry(drawing.settings)->length, row);
+    add(&drawing, 0, settings_geometry(settings)->length, row);
     if (!picture_lay_drawing(picture, &drawing.room))
         return;
     screen_time_text(screen, 0, picture->time, sizeof picture->time);
     picture_heading(picture, "the %s at t = 0", settings->problem->body);
     add_parts(&drawing);
-    add_notes(&drawing);
+    /* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm".
+     */
+    char text[160];
+    const double least = picture->whole ? 0.2 : 1e-9; /* a row is not stretched */
+    picture_note(picture, STYLE_NORMAL,
+                 fabs(math_log(drawing.room.stretch)) < least ? "to scale" : "height × %s",
+                 text_rounded(drawing.room.stretch, 2).text);
+    snprintf(text, sizeof text, "E %s GPa  density %s kg/m³  thickness %s mm",
+             text_rounded(1e-9 * settings_material(settings)->youngs_modulus, 4).text,
+             text_rounded(settings_material(settings)->density, 5).text,
+             text_rounded(1e3 * settings_geometry(settings)->thickness, 4).text);
+    if (scene->bent && settings_start(settings)->amplitude != 0)
+        text_append(text, sizeof text, "  U %s µm",
+                    text_rounded(1e6 * settings_start(settings)->amplitude, 4).text);
+    if (settings_loads(settings)->body_force != 0)
+        text_append(text, sizeof text, "  body force %s m/s²",
+                    text_rounded(settings_loads(settings)->body_force, 4).text);
+    picture_note(picture, STYLE_FAINT, "%s", text);
 }

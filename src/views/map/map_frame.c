@@ -104,14 +104,6 @@ bool map_has_mesh(const Map *map)
 
 /* --- scales --------------------------------------------------------------------------------------- */
 
-/* How far a column of the other run of a duel has reached: two maps are compared by one scale. */
-static double reach_beside(const Screen *screen, const char *name)
-{
-    const Experiment *other = screen_other_run(screen);
-    const int column = other ? experiment_column(other, name) : -1;
-    return column >= 0 ? time_plot_reach(experiment_record(other), column) : 0;
-}
-
 double map_reach(const Map *map, int field, const double *now)
 {
     static const char *const probes[][2] = {{"uy", "u_probe"}, {"vy", "v_probe"}};
@@ -119,15 +111,17 @@ double map_reach(const Map *map, int field, const double *now)
     for (size_t i = 0; i < sizeof probes / sizeof *probes; i++) {
         if (strcmp(map->sim->fields[field].quantity.name, probes[i][0]) != 0)
             continue;
-        /* what the probe did, and what theory says that it will do */
-        const int column = experiment_column(map->screen->experiment, probes[i][1]);
+        /* what the probe did, and what theory says that it will do; two maps of a duel have one scale */
+        const Experiment *const runs[] = {map->screen->experiment, screen_other_run(map->screen)};
         References *refs = experiment_references(map->screen->experiment);
         const double envelope = references_envelope(refs, probes[i][1], settings_time(map->settings)->end);
-        if (column >= 0)
-            reach = fmax(reach, time_plot_reach(experiment_record(map->screen->experiment), column));
+        for (int r = 0; r < 2; r++) {
+            const int column = runs[r] ? experiment_column(runs[r], probes[i][1]) : -1;
+            if (column >= 0)
+                reach = fmax(reach, time_plot_reach(experiment_record(runs[r]), column));
+        }
         if (isfinite(envelope))
             reach = fmax(reach, envelope);
-        reach = fmax(reach, reach_beside(map->screen, probes[i][1]));
     }
     return reach;
 }
@@ -166,48 +160,45 @@ bool map_open(Map *map, const Screen *screen, Picture *picture)
     if (picture->body[0] < 4 || picture->body[1] < 2 || !body_of(sim, &map->body))
         return false;
     map->scene = map_scene(map->settings);
-    if (map->scene.bodies)
-        map->body.low[0] = map->body.low[1] = 0, map->body.size[0] = settings_geometry(map->settings)->length,
-        map->body.size[1] = settings_geometry(map->settings)->height;
-    const size_t count = map->body.count;
-    map->ux = malloc(2 * count * sizeof *map->ux);
-    map->drawn = picture_map(picture, map->body.nx, map->body.ny);
-    if (!map->ux || !map->drawn)
+    Body *body = &map->body;
+    PictureMap *drawn = map->drawn = picture_map(picture, body->nx, body->ny);
+    map->ux = malloc(2 * body->count * sizeof *map->ux);
+    if (!map->ux || !drawn)
         return false;
-    map->uy = map->ux + count;
-    sim->method->field(sim, sim->displacement[0], 0, count, map->ux);
-    sim->method->field(sim, sim->displacement[1], 0, count, map->uy);
+    map->uy = map->ux + body->count;
+    drawn->size = body->spacing;
+    sim->method->field(sim, sim->displacement[0], 0, body->count, map->ux);
+    sim->method->field(sim, sim->displacement[1], 0, body->count, map->uy);
     if (map->scene.bodies) {
         /* Bodies are drawn as they are, in a box that stands still. */
-        const MapEye *eye = &map->screen->eye;
-        BodyRoom room = {.spacing = map->body.spacing, .in_box = true, .magnified = eye->magnified};
+        const Geometry *box = settings_geometry(map->settings);
+        const MapEye *eye = &screen->eye;
+        BodyRoom room = {.size = {box->length, box->height},
+                         .spacing = body->spacing,
+                         .in_box = true,
+                         .magnified = eye->magnified};
         for (int d = 0; d < 2; d++) {
-            room.low[d] = map->body.low[d];
-            room.size[d] = map->body.size[d];
-            room.eye[d] = room.low[d] + eye->centre[d] * room.size[d];
+            body->low[d] = 0;
+            body->size[d] = room.size[d];
+            room.eye[d] = eye->centre[d] * room.size[d];
         }
-        map->drawn->is_cloud = true;
-        picture_lay_body(map->picture, &room);
-        PictureMap *drawn = map->drawn;
-        map->sim->method->field(map->sim, map->sim->position[0], 0, map->body.count, drawn->x);
-        map->sim->method->field(map->sim, map->sim->position[1], 0, map->body.count, drawn->y);
-        for (size_t k = 0; k < map->body.count; k++) {
+        drawn->is_cloud = true;
+        picture_lay_body(picture, &room);
+        sim->method->field(sim, sim->position[0], 0, body->count, drawn->x);
+        sim->method->field(sim, sim->position[1], 0, body->count, drawn->y);
+        for (size_t k = 0; k < body->count; k++) {
             drawn->x[k] += map->ux[k];
             drawn->y[k] += map->uy[k];
         }
-        drawn->size = map->body.spacing;
-    } else {
-        lay(map);
-        const Body *body = &map->body;
-        PictureMap *drawn = map->drawn;
-        size_t node = 0;
-        for (int j = 0; j < body->ny; j++)
-            for (int i = 0; i < body->nx; i++, node++) {
-                drawn->x[node] = body->first[0] + i * body->spacing + drawn->along * map->ux[node];
-                drawn->y[node] = body->first[1] + j * body->spacing + drawn->enlarged * map->uy[node];
-            }
-        drawn->size = body->spacing;
+        return true;
     }
+    lay(map);
+    size_t node = 0;
+    for (int j = 0; j < body->ny; j++)
+        for (int i = 0; i < body->nx; i++, node++) {
+            drawn->x[node] = body->first[0] + i * body->spacing + drawn->along * map->ux[node];
+            drawn->y[node] = body->first[1] + j * body->spacing + drawn->enlarged * map->uy[node];
+        }
     return true;
 }
 

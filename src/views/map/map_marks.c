@@ -77,22 +77,9 @@ static void draw_notch(Map *map)
     }
 }
 
-static void name_cracks_before(Map *map)
-{
-    ShownRun before[RUNS_MAX];
-    const int n_before = map_cracks_before(map, before);
-    for (int i = 0; i < n_before; i++) {
-        PictureKey key = runs_key(&before[i]);
-        char name[sizeof before[i].word + 16];
-        snprintf(name, sizeof name, "crack, %s", before[i].word);
-        key.line = LINE_DASHED;
-        key.ascii = '"';
-        key.name = name;
-        picture_key(map->picture, key);
-    }
-}
-
 /* --- lines ---------------------------------------------------------------------------------------- */
+
+static void add_rows(Map *map);
 
 void map_add_lines(Map *map)
 {
@@ -104,7 +91,8 @@ void map_add_lines(Map *map)
                           &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
     }
     ShownRun before[RUNS_MAX];
-    for (int i = map_cracks_before(map, before) - 1; i >= 0; i--) {
+    const int n_before = map_cracks_before(map, before);
+    for (int i = n_before - 1; i >= 0; i--) {
         /* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
         enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
         const Stroke pen = {
@@ -125,19 +113,24 @@ void map_add_lines(Map *map)
     if (map->scene.notched)
         draw_notch(map);
     if (!map->scene.bodies)
-        map_add_rows(map);
-    if (map->scene.pressed) {
-        /* What the lines are. */
-        Picture *picture = map->picture;
+        add_rows(map);
+    /* What the lines are. */
+    Picture *picture = map->picture;
+    if (map->scene.pressed)
         picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
-        name_cracks_before(map);
-        if (screen_shows_exact(map->screen))
-            picture_key(picture,
-                        (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
+    for (int i = 0; i < n_before; i++) {
+        char name[sizeof before[i].word + 16];
+        snprintf(name, sizeof name, "crack, %s", before[i].word);
+        picture_key(picture,
+                    (PictureKey){LINE_DASHED, '"', before[i].style, name, (uint32_t)before[i].key[0], 0});
+    }
+    if (map->scene.pressed && screen_shows_exact(map->screen))
+        picture_key(picture,
+                    (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
+    if (map->scene.pressed) {
         picture_key(picture, (PictureKey){LINE_SOLID, '|', STYLE_HEADING, "notch", 0, 0});
         picture_key(picture, (PictureKey){LINE_DASHED, '~', STYLE_FRAME, "protected", 0, 0});
-    } else
-        name_cracks_before(map);
+    }
 }
 
 /* --- signs ---------------------------------------------------------------------------------------- */
@@ -167,12 +160,7 @@ static const PictureMark *add_flagged(Map *map, const char *name, int row, int s
     return map->picture->n_marks > before ? &map->picture->marks[map->picture->n_marks - 1] : NULL;
 }
 
-/* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
-static void draw_supports(Map *map, int row)
-{
-    add_flagged(map, "held", row, row == 0 ? -1 : 0, map->scene.pinned ? SUPPORT_FIXED : SUPPORT_ROLLER,
-                SUPPORT_ROLLER);
-}
+static void add_row_signs(Map *map);
 
 void map_add_signs(Map *map)
 {
@@ -191,18 +179,18 @@ void map_add_signs(Map *map)
         }
     }
     if (!map->scene.leaves && !by_rows) {
-        draw_supports(map, 0);
-        draw_supports(map, (map->body.ny - 1) / 2);
+        /* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
+        const uint32_t left = map->scene.pinned ? SUPPORT_FIXED : SUPPORT_ROLLER;
+        const int middle = (map->body.ny - 1) / 2;
+        add_flagged(map, "held", 0, -1, left, SUPPORT_ROLLER);
+        add_flagged(map, "held", middle, middle == 0 ? -1 : 0, left, SUPPORT_ROLLER);
     }
-    map_add_row_signs(map);
+    add_row_signs(map);
     const Screen *screen = map->screen;
     const size_t node = screen->chosen.particle;
     if (node < map->body.count && !screen_is_running(screen))
-        picture_add_mark(map->picture, (PictureMark){.x = map->drawn->x[node],
-                                                     .y = map->drawn->y[node],
-                                                     .glyph = 0x25a0,
-                                                     .style = STYLE_CHANGED,
-                                                     .kind = MARK_CHOSEN});
+        picture_add_mark(map->picture, (PictureMark){map->drawn->x[node], map->drawn->y[node], 0x25a0,
+                                                     STYLE_CHANGED, .kind = MARK_CHOSEN});
 }
 
 /* --- rows of a plate ------------------------------------------------------------------------------ */
@@ -237,7 +225,8 @@ void map_row_corners(double ends[2][2], double corners[5][2])
     }
 }
 
-void map_add_rows(Map *map)
+/* What a plate has by rows, and its cracks. */
+static void add_rows(Map *map)
 {
     int chosen_kind, chosen_row;
     const Settings *settings = screen_rows_shown(map->screen, &chosen_kind, &chosen_row);
@@ -295,7 +284,8 @@ void map_row_side(int edge, signed char side[2])
     side[1] = (signed char)((edge == ROW_TOP) - (edge == ROW_BOTTOM));
 }
 
-void map_add_row_signs(Map *map)
+/* Loads, tips, probe. */
+static void add_row_signs(Map *map)
 {
     int chosen_kind, chosen_row;
     const Settings *settings = screen_rows_shown(map->screen, &chosen_kind, &chosen_row);
@@ -338,12 +328,9 @@ void map_add_row_signs(Map *map)
     map_row_ends(settings, chosen_kind, chosen_row, ends);
     for (int i = 0; i < 2; i++)
         if (shown->end == i || shown->end == ROW_BOTH_ENDS) {
-            const double *end = ends[i];
             double place[2];
-            map_body_place(map, end[0], end[1], place);
-            picture_add_mark(
-                map->picture,
-                (PictureMark){
-                    .x = place[0], .y = place[1], .glyph = END, .style = STYLE_CHANGED, .kind = MARK_CHOSEN});
+            map_body_place(map, ends[i][0], ends[i][1], place);
+            picture_add_mark(map->picture,
+                             (PictureMark){place[0], place[1], END, STYLE_CHANGED, .kind = MARK_CHOSEN});
         }
 }

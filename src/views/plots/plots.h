@@ -118,9 +118,8 @@ bool time_plot_shows(const Screen *, const Column *);
 
 /* --- a foreign series ----------------------------------------------------------------------------- */
 
-/* Widens a range, or gives the largest magnitude (0: there is none), so that the axis of y holds it. */
+/* Widens a range so that the axis of y holds it. */
 void overlay_widen(const Screen *, const char *curve, bool along, double *least, double *most);
-double overlay_reach(const Screen *, const char *curve, bool along);
 
 /* Adds its dots, the first, least, largest and last value of each column of them, with marks and a name. */
 void overlay_add(const Screen *, Picture *, const char *curve, bool along);

@@ -39,6 +39,12 @@ static ShownRun run_of_ghost(const Ghost *ghost, int index)
 static ShownRun present_run(const Experiment *experiment)
 {
     ShownRun run = {
+        .word = "measured",
+        .line = LINE_SOLID,
+        .style = STYLE_MEASURED,
+        .rank = RANK_MEASURED,
+        .mark = '*',
+        .shown = true,
         .settings = experiment_settings(experiment),
         .record = experiment_record(experiment),
         .readout = experiment_readout(experiment),
@@ -46,12 +52,6 @@ static ShownRun present_run(const Experiment *experiment)
         .ghost = -1,
     };
     run.columns = experiment_columns(experiment, &run.n_columns);
-    run.line = LINE_SOLID;
-    run.style = STYLE_MEASURED;
-    run.rank = RANK_MEASURED;
-    run.mark = '*';
-    run.shown = true;
-    strcpy(run.word, "measured");
     return run;
 }
 
@@ -222,13 +222,6 @@ void overlay_widen(const Screen *screen, const char *curve, bool along, double *
         return;
     *least = fmin(*least, column->least);
     *most = fmax(*most, column->largest);
-}
-
-double overlay_reach(const Screen *screen, const char *curve, bool along)
-{
-    double least = 0, most = 0;
-    overlay_widen(screen, curve, along, &least, &most);
-    return fmax(-least, most);
 }
 
 typedef struct Samples {

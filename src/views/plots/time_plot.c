@@ -6,16 +6,6 @@
 
 /* --- the time window ------------------------------------------------------------------------------ */
 
-static double automatic_window(const Screen *screen, double end)
-{
-    enum { PERIODS = 4 };
-    const Readout *readout = experiment_readout(screen_clock_run(screen));
-    const double window = readout->nominal_period > 0 && !readout->drifting
-                              ? axis_step_up(PERIODS * readout->nominal_period)
-                              : end;
-    return window < end ? window : end;
-}
-
 void time_plot_window(const Screen *screen, double *from, double *to)
 {
     const Experiment *clock = screen_clock_run(screen);
@@ -23,9 +13,14 @@ void time_plot_window(const Screen *screen, double *from, double *to)
     const double dt = experiment_simulation(clock)->dt;
     const double newest = dt * (double)experiment_newest(clock);
     const double last = dt * (double)experiment_last_step(clock);
-    double window = screen->time.window > 0 ? screen->time.window : automatic_window(screen, last);
-    if (!(window > 0))
+    enum { PERIODS = 4 };
+    const Readout *readout = experiment_readout(clock);
+    double window = screen->time.window;
+    if (!(window > 0)) {
         window = last > 0 ? last : 1;
+        if (last > 0 && readout->nominal_period > 0 && !readout->drifting)
+            window = fmin(window, axis_step_up(PERIODS * readout->nominal_period));
+    }
     /* it shows the newest; rewound far, the present is in the middle */
     double right = newest - present <= window / 2 ? newest : present + window / 2;
     right = fmax(right, present);
@@ -131,17 +126,12 @@ PictureKey time_plot_key(const Column *columns, int column)
     int exact_before = 0; /* of the same curve: beams have two theories */
     for (int i = 0; i < column; i++)
         exact_before += columns[i].kind == COLUMN_EXACT && columns[i].of == columns[column].of;
-    switch (columns[column].kind) {
-    case COLUMN_EXACT:
-        if (exact_before > 0)
-            return (PictureKey){LINE_DASHED, '-', STYLE_THIRD, label, 0, 0};
-        break;
-    case COLUMN_PREDICTED:
-        return (PictureKey){LINE_DASHED, '-', STYLE_PREDICTED, label, 0, 0};
-    case COLUMN_MEASURED:
-        return (PictureKey){LINE_SOLID, 'o', STYLE_SECOND, label, 0, 0};
-    }
-    return (PictureKey){LINE_DOTTED, '.', STYLE_EXACT, label, 0, 0};
+    const PictureKey keys[] = {[COLUMN_MEASURED] = {LINE_SOLID, 'o', STYLE_SECOND, label, 0, 0},
+                               [COLUMN_EXACT] = {LINE_DOTTED, '.', STYLE_EXACT, label, 0, 0},
+                               [COLUMN_PREDICTED] = {LINE_DASHED, '-', STYLE_PREDICTED, label, 0, 0}};
+    return columns[column].kind == COLUMN_EXACT && exact_before > 0
+               ? (PictureKey){LINE_DASHED, '-', STYLE_THIRD, label, 0, 0}
+               : keys[columns[column].kind];
 }
 
 bool time_plot_shows(const Screen *screen, const Column *column)
