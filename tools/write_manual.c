@@ -20,6 +20,7 @@
 #include "help/command.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -628,6 +629,44 @@ static bool write_changed_stages(const char *argument)
     return good;
 }
 
+static void say_ascii(const char *format, ...)
+{
+    char line[256], ascii[256];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    text_to_ascii(line, ascii, sizeof ascii);
+    say_line(ascii);
+}
+
+static void write_exchange(const Simulation *simulation, const Exchange *exchange)
+{
+    char ways[64] = "";
+    if (exchange->from != exchange->to)
+        snprintf(ways, sizeof ways, "%s to %s", simulation->sets[exchange->from].name,
+                 simulation->sets[exchange->to].name);
+    const int width = *ways ? 18 : 0;
+    say_ascii("%-11s%-*s%s %s sum %s", exchange->stage, width, ways, exchange->field,
+              exchange->adds ? "+=" : "=", exchange->factors);
+    if (exchange->note)
+        say_ascii("%*s%s", 11 + width + 4, "", exchange->note);
+}
+
+/* "SCENARIO KEY=VALUE ...": who gives what to whom, in the order of the step. */
+static bool write_exchanges(const char *argument)
+{
+    Simulation *simulation = simulation_of(argument);
+    puts(".PP\n.nf");
+    for (int s = 0; simulation && s < simulation->n_stages; s++)
+        for (int i = 0; i < simulation->n_exchanges; i++)
+            if (strcmp(simulation->exchanges[i].stage, simulation->stages[s].id) == 0)
+                write_exchange(simulation, &simulation->exchanges[i]);
+    puts(".fi");
+    simulation_destroy(simulation);
+    return simulation != NULL;
+}
+
 /* The names of the stages alone. */
 static bool write_order(const char *argument)
 {
@@ -663,6 +702,7 @@ static const struct {
     {"about-numbers", write_about_numbers},
     {"texts", write_texts},
     {"stages", write_stages},
+    {"exchanges", write_exchanges},
     {"order", write_order},
     {"mistakes", write_mistakes},
     {"changed-stages", write_changed_stages},
