@@ -220,8 +220,7 @@ static void take_key(Laboratory *lab, const Key *key)
     const Command *command = command_by_key(key->name);
     const char *pasted = keys_pasted(key->name);
     player_drop_part(&lab->player);
-    if (lab->recording)
-        session_note(lab->recording, lab, key);
+    session_note(lab->recording, lab, (SessionEvent){.key = *key});
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
     if (pasted) {
         take_pasted(lab, pasted);

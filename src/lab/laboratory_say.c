@@ -39,8 +39,7 @@ bool laboratory_go_on(Laboratory *lab)
     if (lab->given_up || lab->host.go_on(lab->host.context))
         return !lab->given_up;
     lab->given_up = true;
-    if (lab->recording)
-        session_note_stop(lab->recording, lab);
+    session_note(lab->recording, lab, (SessionEvent){.is_stop = true, .key = {.x = -1}});
     return false;
 }
 

@@ -594,7 +594,7 @@ int plain_play(FILE *in, const char *name, FILE *out, const LaboratoryOptions *o
         plain->lab.recording = recording;
         session_note_start(recording, &plain->lab);
         sound = read_lines(plain, in, name, status);
-        session_note_end(recording, &plain->lab);
+        session_note(recording, &plain->lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
         plain_close(plain);
     }
     free(plain);

@@ -341,7 +341,7 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
         signal_number = terminal_signal(loop->terminal);
     }
     terminal_close(loop->terminal);
-    session_note_end(recording, &loop->lab);
+    session_note(recording, &loop->lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
     laboratory_close(&loop->lab);
     canvas_close(&loop->canvas);
     free(loop->address);

@@ -142,7 +142,7 @@ START_TEST(a_fit_that_was_stopped_is_stopped_again)
     ck_assert_double_eq(modulus(bench), 100);
     bench->gives_up = false;
     press(bench, "]");
-    session_note_end(session, &bench->lab);
+    session_note(session, &bench->lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
     ck_assert_msg(session_finish(session, &status), "%s", status.text);
     session_free(session);
     close_bench(bench);

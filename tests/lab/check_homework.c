@@ -222,7 +222,7 @@ static int do_homework(const Session *again, int number)
     else
         for (int i = 0; i < 25; i++)
             act(&live, actions[below((int)(sizeof actions / sizeof *actions))]);
-    session_note_end(session, &live.lab);
+    session_note(session, &live.lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
     const bool any = session_has_keys(session);
     ck_assert_msg(session_finish(session, &status), "%s", status.text);
     session_free(session);

@@ -229,7 +229,7 @@ START_TEST(strange_lines_do_no_harm)
         line(talk, text);
     }
     is_plain(talk->text);
-    session_note_end(session, &talk->plain.lab);
+    session_note(session, &talk->plain.lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
     ck_assert_msg(session_finish(session, &status), "%s", status.text);
     session_free(session);
     Session *again = session_read("kept.session", &status);

@@ -8,7 +8,7 @@
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
 #include "lab/session/script.h"
-#include "lab/session/session.h"
+#include "lab/session/session_internal.h"
 #include "picture/canvas.h"
 
 #include <math.h>
@@ -167,19 +167,19 @@ static bool remark(Grades *grades, const char *text)
 }
 
 /* Why a session is not homework of this lesson, or not all of it. */
-static const char *why_refused(const SessionFacts *facts, const Lesson *lesson)
+static const char *why_refused(const Session *session, const Lesson *lesson)
 {
-    if (strcmp(facts->program, PACKAGE_VERSION) != 0)
+    if (strcmp(session->program, PACKAGE_VERSION) != 0)
         return "foreign: it is of another version of matvib (this is " PACKAGE_VERSION ")";
-    if (!*facts->lesson || facts->version == 0)
+    if (!*session->lesson || session->version == 0)
         return "foreign: not the session of a lesson";
-    if (facts->version != lesson->version)
+    if (session->version != lesson->version)
         return "foreign: the session of another lesson, or of another version of this one";
-    if (!*facts->student)
+    if (!*session->student)
         return "foreign: no student name (matvib lesson NAME --name)";
-    if (!facts->ended)
+    if (!session->ended)
         return "cut off: the end is missing";
-    if (!facts->sound)
+    if (!session->sound)
         return "edited: checksum mismatch";
     return NULL;
 }
@@ -206,7 +206,6 @@ static bool replay_session(const GradingTask *task, const Session *session, Grad
 bool grading_session(const GradingTask *task, const char *file, Grades *grades, Status *status)
 {
     Lesson lesson;
-    SessionFacts facts;
     Status why = {STATUS_DONE, ""};
     *grades = (Grades){.student = ""};
     if (!lesson_load(task->lesson, command_line_for_lessons, &lesson, status))
@@ -214,10 +213,9 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
     Session *session = session_read_facts(file, &why);
     bool sound = true;
     if (session) {
-        session_facts(session, &facts);
-        snprintf(grades->student, sizeof grades->student, "%s", facts.student);
-        snprintf(grades->id, sizeof grades->id, "%s", facts.id);
-        const char *refused = why_refused(&facts, &lesson);
+        memcpy(grades->student, session->student, sizeof grades->student);
+        memcpy(grades->id, session->id, sizeof grades->id);
+        const char *refused = why_refused(session, &lesson);
         sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
     } else {
         snprintf(grades->remark, sizeof grades->remark, "damaged: %.*s", (int)sizeof grades->remark - 10,
@@ -231,15 +229,12 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
 void grading_origin(const Lesson *lesson, const char *file, GradingOrigin *origin)
 {
     enum { KEYS_LEAST = 12 }; /* fewer may be the same by chance */
-    SessionFacts facts;
     Session *session = session_read_facts(file, NULL);
     *origin = (GradingOrigin){.known = false};
-    if (session) {
-        session_facts(session, &facts);
-        origin->known = facts.n_keys > KEYS_LEAST && !why_refused(&facts, lesson);
-        origin->check = facts.check;
-        origin->keys = facts.keys;
-    }
+    if (session)
+        *origin = (GradingOrigin){.known = session->count > KEYS_LEAST && !why_refused(session, lesson),
+                                  .check = session->check,
+                                  .keys = session->keys};
     session_free(session);
 }
 
@@ -328,29 +323,19 @@ static bool differs_from_neighbours(Grader *grader, const Grade *grade, double r
     return true;
 }
 
-/* The run that the page shows is not what it asks for. */
-static bool is_open(Grader *grader, const Grade *grade, Status *status)
-{
-    double met;
-    if (!number_of(grader, &grader->lab.play.run.entered, &met, status))
-        return false;
-    return !(met > 0) || status_fail(status, "page %d: its run fulfils the goal as it is", grade->page + 1);
-}
-
 static bool answer_page(Grader *grader, Grade *grade, Status *status)
 {
-    Laboratory *lab = &grader->lab;
     if (!turn_to(grader, grade->page, status))
         return false;
-    const LessonPage *page = lesson_entry_page(lab);
+    const LessonPage *page = lesson_entry_page(&grader->lab);
+    const Settings *settings = &grader->lab.play.run.entered;
+    double right;
     switch (lesson_exercise(page)) {
     case EXERCISE_CHOICE:
         snprintf(grade->mark.right_answer, sizeof grade->mark.right_answer, "%s", page->choices[page->right]);
         return true;
     case EXERCISE_NUMBER: {
-        const Settings *settings = &grader->lab.play.run.entered;
-        const Exercise *exercise = grader->lab.play.lesson.pages[grade->page].exercise;
-        double right;
+        const Exercise *exercise = page->exercise;
         if (!number_of(grader, settings, &right, status))
             return false;
         if (!isfinite(right))
@@ -365,7 +350,12 @@ static bool answer_page(Grader *grader, Grade *grade, Status *status)
         return differs_from_neighbours(grader, grade, right, status);
     }
     case EXERCISE_GOAL:
-        return is_open(grader, grade, status) && solve(grader, page, grade, status);
+        /* The run that the page shows is not what it asks for. */
+        if (!number_of(grader, settings, &right, status))
+            return false;
+        if (right > 0)
+            return status_fail(status, "page %d: its run fulfils the goal as it is", grade->page + 1);
+        return solve(grader, page, grade, status);
     default:
         return true;
     }

@@ -49,37 +49,6 @@ static bool open_recording(const LaboratoryOptions *options, Session **recording
     return *recording != NULL;
 }
 
-/* Nobody sits there: keys come from a file. */
-static bool is_unattended(const LaboratoryOptions *options)
-{
-    return options->script || options->camera || (options->plain && !isatty(STDIN_FILENO));
-}
-
-/* Finishes the recording that was asked for, and keeps the last session of a terminal; that the latter cannot
- * be kept is not a failure. */
-static bool keep(const LaboratoryOptions *options, Session *recording, Status *status)
-{
-    const bool sound = session_finish(recording, status);
-    char *last = is_unattended(options) ? NULL : state_file(last_session);
-    Status ignored = {0};
-    if (last) {
-        output_make_own_folders(ASKER_COMMAND_LINE, last);
-        output_remove_remains(last);
-        session_keep(recording, last, &ignored);
-    }
-    free(last);
-    return sound;
-}
-
-/* Nothing has been kept of an earlier session. A script never counts as a first start. */
-static bool is_first_start(const LaboratoryOptions *options)
-{
-    char *last = is_unattended(options) ? NULL : state_file(last_session);
-    const bool first = last && access(last, F_OK) != 0;
-    free(last);
-    return first;
-}
-
 /* Whether the locale that the environment names has the characters of UTF-8. */
 static bool names_utf8(void)
 {
@@ -94,13 +63,17 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
 {
     LaboratoryOptions options = *given;
     Session *replay = NULL, *recording = NULL;
+    Status ignored = {0};
     int result = STATUS_DONE, reached[LESSONS_MAX] = {0};
+    /* nobody sits there: keys come from a file */
+    const bool unattended = options.script || options.camera || (options.plain && !isatty(STDIN_FILENO));
+    char *last = unattended ? NULL : state_file(last_session);
     /* a script gives the same screens always; a homework is each student's own, from its first page on */
-    if (!is_unattended(&options) && !(options.student && *options.student))
+    if (!unattended && !(options.student && *options.student))
         state_file_read_lessons(reached);
     options.reached = reached;
-    options.first_start = is_first_start(&options);
-    options.keeps_sheet = !is_unattended(&options) && !options.plain;
+    options.first_start = last && access(last, F_OK) != 0; /* never of a script */
+    options.keeps_sheet = !unattended && !options.plain;
     if (options.keeps_sheet && !options.sheet)
         options.sheet = state_file_word(state_file_sheet, parameter_sheet_words);
     if (options.keeps_sheet && !options.sheet)
@@ -118,9 +91,16 @@ int laboratory_main(const LaboratoryOptions *given, Status *status)
         result = options.plain ? plain_play(stdin, "standard input", stdout, &options, recording, status)
                  : options.script || options.camera ? script_run(&options, replay, recording, status)
                                                     : loop_run(&options, replay, recording, status);
-        if (session_has_keys(recording) && !keep(&options, recording, status) && result == STATUS_DONE)
+        const bool any = session_has_keys(recording);
+        if (any && !session_finish(recording, status) && result == STATUS_DONE)
             result = (int)status->code;
+        if (any && last) { /* that this one cannot be kept is not a failure */
+            output_make_own_folders(ASKER_COMMAND_LINE, last);
+            output_remove_remains(last);
+            session_keep(recording, last, &ignored);
+        }
     }
+    free(last);
     session_free(replay);
     session_free(recording);
     return result;

@@ -58,8 +58,7 @@ bool replay_go_on(Replay *replay, Laboratory *lab, double deadline)
     const SessionEvent *event = replay_next(replay);
     if (event->is_stop) { /* what it stopped has been given up, with the key before it */
         replay->next++;
-        if (lab->recording)
-            session_note_stop(lab->recording, lab);
+        session_note(lab->recording, lab, (SessionEvent){.is_stop = true, .key = {.x = -1}});
         return true;
     }
     if (event->on_the_way ? !reach_jump(lab, deadline) : !approach(replay, lab, event, deadline))

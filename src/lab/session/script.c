@@ -34,12 +34,13 @@ struct Script {
     /* Real seconds that an instruction may take for work that is not cut into frames; 0: as long as it
      * takes. */
     double cancel;
-    double begun;                /* when the instruction began */
-    char scene[80];              /* of a lecture, under way; "": none */
-    int scene_keys;              /* that it has cost */
-    Camera *camera;              /* NULL: nobody films */
-    double keys_seconds;         /* of the film: what keys have taken, which take no time here */
-    const SessionEvent *awaited; /* of the session that is filmed: the next key */
+    double begun;                 /* when the instruction began */
+    const ScriptInstruction *row; /* that is done */
+    char scene[80];               /* of a lecture, under way; "": none */
+    int scene_keys;               /* that it has cost */
+    Camera *camera;               /* NULL: nobody films */
+    double keys_seconds;          /* of the film: what keys have taken, which take no time here */
+    const SessionEvent *awaited;  /* of the session that is filmed: the next key */
 };
 
 static bool go_on(void *context)
@@ -133,9 +134,8 @@ static bool press(Script *script, const char *name, double seconds, Status *stat
 
 /* --- instructions ----------------------------------------------------------------------------------- */
 
-static bool do_key(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_key(Script *script, char *rest, Status *status)
 {
-    (void)row;
     char *place;
     for (char *name = strtok_r(rest, " \t", &place); name; name = strtok_r(NULL, " \t", &place))
         if (!keys_known(name))
@@ -146,21 +146,20 @@ static bool do_key(Script *script, const ScriptInstruction *row, char *rest, Sta
     return true;
 }
 
-static bool do_mouse(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_mouse(Script *script, char *rest, Status *status)
 {
-    const bool click = row->by;
+    const bool click = script->row->by;
     int x, y;
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
-        return status_refuse(status, "%s: a column and a row are expected, not: %s", row->name, rest);
+        return status_refuse(status, "%s: a column and a row are expected, not: %s", script->row->name, rest);
     return press_at(script, click ? "Click" : "Drag", x, y, KEY_SECONDS, status);
 }
 
-static bool do_type(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_type(Script *script, char *rest, Status *status)
 {
     char name[KEY_NAME_MAX];
     bool sound = true;
-    (void)row;
     for (const char *left = rest; *left && sound;) {
         left = keys_of_text(left, name);
         sound = press(script, name, LETTER_SECONDS, status);
@@ -169,9 +168,8 @@ static bool do_type(Script *script, const ScriptInstruction *row, char *rest, St
 }
 
 /* In front of a class nobody can follow more than a few keys. */
-static bool do_scene(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_scene(Script *script, char *rest, Status *status)
 {
-    (void)row;
     if (!*rest || strlen(rest) >= sizeof script->scene)
         return status_refuse(status, "scene: a short name is expected, not: %s", rest);
     snprintf(script->scene, sizeof script->scene, "%s", rest);
@@ -179,9 +177,8 @@ static bool do_scene(Script *script, const ScriptInstruction *row, char *rest, S
     return true;
 }
 
-static bool do_wait(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_wait(Script *script, char *rest, Status *status)
 {
-    (void)row;
     double seconds;
     char end;
     if (sscanf(rest, "%lf%c", &seconds, &end) != 1 || seconds < 0 || seconds > 1e6)
@@ -189,9 +186,8 @@ static bool do_wait(Script *script, const ScriptInstruction *row, char *rest, St
     return frames_until(script, script->time + seconds, status) && draw(script, status);
 }
 
-static bool do_size(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_size(Script *script, char *rest, Status *status)
 {
-    (void)row;
     int size[2];
     if (!text_to_size(rest, 1, SCRIPT_CELLS_MAX, size))
         return status_refuse(status, "size: not a size: %s (as in 80x24; at most %d each)", rest,
@@ -201,34 +197,34 @@ static bool do_size(Script *script, const ScriptInstruction *row, char *rest, St
     return draw(script, status);
 }
 
-static bool read_number(const ScriptInstruction *row, const char *rest, double *number, Status *status)
+static bool read_number(const Script *script, const char *rest, double *number, Status *status)
 {
     return (text_to_double(rest, number) && *number >= 0) ||
-           status_refuse(status, "%s: not a number of %s: %s", row->name,
-                         strcmp(row->arguments, "STEPS") == 0 ? "steps" : "seconds", rest);
+           status_refuse(status, "%s: not a number of %s: %s", script->row->name,
+                         strcmp(script->row->arguments, "STEPS") == 0 ? "steps" : "seconds", rest);
 }
 
-static bool do_rate(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_rate(Script *script, char *rest, Status *status)
 {
-    if (!read_number(row, rest, &script->rate, status))
+    if (!read_number(script, rest, &script->rate, status))
         return false;
     for (int i = 0; i < RATES; i++)
         script->lab.player.rates[i] = script->rate;
     return true;
 }
 
-static bool do_cancel_after(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_cancel_after(Script *script, char *rest, Status *status)
 {
-    return read_number(row, rest, &script->cancel, status);
+    return read_number(script, rest, &script->cancel, status);
 }
 
-static bool do_print(Script *script, const ScriptInstruction *row, char *name, Status *status)
+static bool do_print(Script *script, char *name, Status *status)
 {
     if (!draw(script, status))
         return false;
     if (script->camera) /* it is in the film */
         return true;
-    char *text = row->by ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
+    char *text = script->row->by ? canvas_dump_styles(&script->canvas) : canvas_dump(&script->canvas);
     if (!text)
         return status_fail(status, "out of memory");
     if (*name)
@@ -238,9 +234,9 @@ static bool do_print(Script *script, const ScriptInstruction *row, char *name, S
     return true;
 }
 
-static bool do_look_for(Script *script, const ScriptInstruction *row, char *text, Status *status)
+static bool do_look_for(Script *script, char *text, Status *status)
 {
-    const bool wanted = row->by;
+    const bool wanted = script->row->by;
     if (!draw(script, status))
         return false;
     char *dump = canvas_dump(&script->canvas);
@@ -255,9 +251,9 @@ static bool do_look_for(Script *script, const ScriptInstruction *row, char *text
     return status_fail(status, "'%s' is %s", text, found ? "on the screen" : "not on the screen");
 }
 
-static bool do_closed(Script *script, const ScriptInstruction *row, char *rest, Status *status)
+static bool do_closed(Script *script, char *rest, Status *status)
 {
-    (void)row, (void)rest;
+    (void)rest;
     return script->lab.closed || status_fail(status, "the laboratory is still open");
 }
 
@@ -293,8 +289,10 @@ static bool play_line(Script *script, char *line, Status *status)
     size_t length = strcspn(line, " ");
     char *rest = line + length + (line[length] == ' ');
     for (const ScriptInstruction *row = script_instructions; row->name; row++)
-        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0)
-            return row->run(script, row, rest, status);
+        if (strlen(row->name) == length && strncmp(line, row->name, length) == 0) {
+            script->row = row;
+            return row->run(script, rest, status);
+        }
     char known[256] = "";
     for (const ScriptInstruction *row = script_instructions; row->name; row++)
         text_or(known, sizeof known, row->name);
@@ -334,18 +332,6 @@ static bool open_script(Script *script, const LaboratoryOptions *options, Status
     return true;
 }
 
-/* Until a key of a session is due the run goes on as it did then, but not beyond where the key came. */
-static bool play_until(Script *script, const SessionEvent *event, Status *status)
-{
-    if (event == script->awaited)
-        return true;
-    script->awaited = event;
-    script->lab.player.run_limit = event->on_the_way ? -1 : event->step;
-    const bool sound = frames_until(script, script->time + event->seconds, status);
-    script->lab.player.run_limit = -1;
-    return sound;
-}
-
 /* The session first, as fast as it can; the script goes on where it was left. */
 static bool replay_all(Script *script, const Session *session, Status *status)
 {
@@ -357,7 +343,14 @@ static bool replay_all(Script *script, const Session *session, Status *status)
             script->width = event->width;
             script->height = event->height;
         }
-        sound = draw(script, status) && (!script->camera || play_until(script, event, status));
+        sound = draw(script, status);
+        if (sound && script->camera && event != script->awaited) {
+            /* until it is due the run goes on as it did then, but not beyond where the key came */
+            script->awaited = event;
+            script->lab.player.run_limit = event->on_the_way ? -1 : event->step;
+            sound = frames_until(script, script->time + event->seconds, status);
+            script->lab.player.run_limit = -1;
+        }
         if (sound && replay_go_on(&replay, &script->lab, script->time + FRAME_SECONDS))
             sound = frame_of_work(script, status);
     }
@@ -403,17 +396,6 @@ static bool film_run(Script *script, Status *status)
     return true;
 }
 
-static bool play_all(Script *script, FILE *file, const char *name, const Session *replay, Status *status)
-{
-    if (!replay_all(script, replay, status) || (file && !play(script, file, name, status)))
-        return false;
-    if (!script->camera)
-        return true;
-    return (file || replay || film_run(script, status)) && draw(script, status) &&
-           film(script, true, status) &&
-           camera_end(script->camera, script->time + script->keys_seconds, status);
-}
-
 int script_play(FILE *file, const char *name, const LaboratoryOptions *options, const Session *replay,
                 Session *recording, Status *status)
 {
@@ -424,8 +406,12 @@ int script_play(FILE *file, const char *name, const LaboratoryOptions *options, 
     else if (open_script(script, options, status)) {
         script->lab.recording = recording;
         session_note_start(recording, &script->lab);
-        sound = play_all(script, file, name, replay, status);
-        session_note_end(recording, &script->lab);
+        sound = replay_all(script, replay, status) && (!file || play(script, file, name, status));
+        if (sound && script->camera)
+            sound = (file || replay || film_run(script, status)) && draw(script, status) &&
+                    film(script, true, status) &&
+                    camera_end(script->camera, script->time + script->keys_seconds, status);
+        session_note(recording, &script->lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
         laboratory_close(&script->lab);
         canvas_close(&script->canvas);
     }

@@ -19,7 +19,7 @@ typedef struct Script Script; /* a script that is being played */
 /* A row of the table of instructions, ended by a NULL name; the manual page is made from it. */
 typedef struct ScriptInstruction {
     const char *name, *arguments, *help;
-    bool (*run)(Script *, const struct ScriptInstruction *, char *arguments, Status *);
+    bool (*run)(Script *, char *arguments, Status *);
     bool by; /* which of the two that its function does */
 } ScriptInstruction;
 

@@ -61,106 +61,6 @@ Session *session_begin(const LaboratoryOptions *options, Status *status)
     return session;
 }
 
-static bool write_head(FILE *, uint64_t *check, const Session *, Status *);
-static void write_event(FILE *, uint64_t *check, const SessionEvent *);
-
-/* A line is in the file before its key does anything, so that what crashed can be done again. */
-static void record_event(Session *session, const SessionEvent *event)
-{
-    OutputFile *file = &session->file;
-    Status *trouble = &session->trouble;
-    if (!session->begun) {
-        session->begun = true;
-        if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
-            !write_head(file->stream, &session->check, session, trouble) || !output_publish(file, trouble))
-            output_close(file);
-    }
-    if (!file->stream)
-        return;
-    write_event(file->stream, &session->check, event);
-    fflush(file->stream);
-    if (!output_sound(file, trouble))
-        output_close(file);
-}
-
-/* Behind a key that was not kept the others would mean something else. */
-static void note(Session *session, const Laboratory *lab, SessionEvent event)
-{
-    const Experiment *experiment = laboratory_run(lab);
-    const double now = lab->host.now(lab->host.context);
-    event.on_the_way = lab->player.playback.state == STATE_COMPUTING;
-    event.step = experiment_step(experiment);
-    event.stage = experiment_stage(experiment);
-    event.seconds = fmin(fmax(now - session->last, 0), SESSION_SECONDS_MOST);
-    event.width = lab->width;
-    event.height = lab->height;
-    if (!session->full)
-        session->full = !session_append(session, &event);
-    if (!session->full && session->record)
-        record_event(session, &event);
-    session->last = now;
-}
-
-void session_record(Session *session, const char *file, bool force)
-{
-    session->record = file;
-    session->replaces = force;
-}
-
-/* What is missing in what was recorded or kept, if something is. */
-static bool is_whole(const Session *session, const char *name, Status *status)
-{
-    return !session->full ||
-           status_fail(status, "%s: memory was short for more than its first %zu keys", name, session->count);
-}
-
-/* Whether its file has begun, or would have if memory had not been short for the first key already. */
-static bool is_recorded(const Session *session)
-{
-    return session->record && session_has_keys(session);
-}
-
-bool session_is_lost(Session *session, Status *status)
-{
-    if (session->told || !is_recorded(session) || (session->trouble.code == STATUS_DONE && !session->full))
-        return false;
-    session->told = true;
-    status_take(status, &session->trouble);
-    return session->trouble.code != STATUS_DONE || !is_whole(session, session->record, status);
-}
-
-bool session_finish(Session *session, Status *status)
-{
-    OutputFile *file = &session->file;
-    if (file->stream)
-        output_finish(file, &session->trouble);
-    output_close(file);
-    if (session->trouble.code != STATUS_DONE)
-        return status_take(status, &session->trouble);
-    return !is_recorded(session) || is_whole(session, session->record, status);
-}
-
-void session_note_start(Session *session, const Laboratory *lab)
-{
-    session->last = lab->host.now(lab->host.context);
-    session->version = lab->options.lesson ? lab->play.lesson.version : 0;
-}
-
-void session_note(Session *session, const Laboratory *lab, const Key *key)
-{
-    note(session, lab, (SessionEvent){.key = *key});
-}
-
-void session_note_stop(Session *session, const Laboratory *lab)
-{
-    note(session, lab, (SessionEvent){.is_stop = true, .key = {.x = -1}});
-}
-
-void session_note_end(Session *session, const Laboratory *lab)
-{
-    note(session, lab, (SessionEvent){.is_end = true, .key = {.x = -1}});
-}
-
 static void put(FILE *file, uint64_t *check, const char *text)
 {
     *check = hash_bytes(*check, text, strlen(text));
@@ -227,6 +127,90 @@ static bool write_head(FILE *file, uint64_t *check, const Session *session, Stat
     return sound;
 }
 
+/* A line is in the file before its key does anything, so that what crashed can be done again. */
+static void record_event(Session *session, const SessionEvent *event)
+{
+    OutputFile *file = &session->file;
+    Status *trouble = &session->trouble;
+    if (!session->begun) {
+        session->begun = true;
+        if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
+            !write_head(file->stream, &session->check, session, trouble) || !output_publish(file, trouble))
+            output_close(file);
+    }
+    if (!file->stream)
+        return;
+    write_event(file->stream, &session->check, event);
+    fflush(file->stream);
+    if (!output_sound(file, trouble))
+        output_close(file);
+}
+
+/* Behind a key that was not kept the others would mean something else. */
+void session_note(Session *session, const Laboratory *lab, SessionEvent event)
+{
+    if (!session)
+        return;
+    const Experiment *experiment = laboratory_run(lab);
+    const double now = lab->host.now(lab->host.context);
+    event.on_the_way = lab->player.playback.state == STATE_COMPUTING;
+    event.step = experiment_step(experiment);
+    event.stage = experiment_stage(experiment);
+    event.seconds = fmin(fmax(now - session->last, 0), SESSION_SECONDS_MOST);
+    event.width = lab->width;
+    event.height = lab->height;
+    if (!session->full)
+        session->full = !session_append(session, &event);
+    if (!session->full && session->record)
+        record_event(session, &event);
+    session->last = now;
+}
+
+void session_record(Session *session, const char *file, bool force)
+{
+    session->record = file;
+    session->replaces = force;
+}
+
+/* What is missing in what was recorded or kept, if something is. */
+static bool is_whole(const Session *session, const char *name, Status *status)
+{
+    return !session->full ||
+           status_fail(status, "%s: memory was short for more than its first %zu keys", name, session->count);
+}
+
+/* Whether its file has begun, or would have if memory had not been short for the first key already. */
+static bool is_recorded(const Session *session)
+{
+    return session->record && session_has_keys(session);
+}
+
+bool session_is_lost(Session *session, Status *status)
+{
+    if (session->told || !is_recorded(session) || (session->trouble.code == STATUS_DONE && !session->full))
+        return false;
+    session->told = true;
+    status_take(status, &session->trouble);
+    return session->trouble.code != STATUS_DONE || !is_whole(session, session->record, status);
+}
+
+bool session_finish(Session *session, Status *status)
+{
+    OutputFile *file = &session->file;
+    if (file->stream)
+        output_finish(file, &session->trouble);
+    output_close(file);
+    if (session->trouble.code != STATUS_DONE)
+        return status_take(status, &session->trouble);
+    return !is_recorded(session) || is_whole(session, session->record, status);
+}
+
+void session_note_start(Session *session, const Laboratory *lab)
+{
+    session->last = lab->host.now(lab->host.context);
+    session->version = lab->options.lesson ? lab->play.lesson.version : 0;
+}
+
 bool session_keep(const Session *session, const char *name, Status *status)
 {
     OutputFile file;
@@ -255,20 +239,6 @@ void session_options(const Session *session, LaboratoryOptions *options)
     options->student = *session->student ? session->student : NULL;
     options->student_id = *session->id ? session->id : NULL;
     options->reached = session->reached;
-}
-
-void session_facts(const Session *session, SessionFacts *facts)
-{
-    *facts = (SessionFacts){.student = session->student,
-                            .id = session->id,
-                            .lesson = session->lesson,
-                            .program = session->program,
-                            .version = session->version,
-                            .check = session->check,
-                            .keys = session->keys,
-                            .n_keys = session->count,
-                            .ended = session->ended,
-                            .sound = session->sound};
 }
 
 const SessionEvent *session_event(const Session *session, size_t index)

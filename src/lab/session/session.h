@@ -51,14 +51,10 @@ Session *session_begin(const LaboratoryOptions *, Status *);
 /* The laboratory is open: from now on time counts. */
 void session_note_start(Session *, const Laboratory *);
 
-/* Notes a key that comes now; where memory is short or the session very long, no more keys are noted. */
-void session_note(Session *, const Laboratory *, const Key *);
-
-/* Notes that the work of the last key is given up. */
-void session_note_stop(Session *, const Laboratory *);
-
-/* Notes that the session is left now. */
-void session_note_end(Session *, const Laboratory *);
+/* Notes a key that comes now, that the work of the last one is given up (is_stop), or that the session is
+ * left (is_end); where memory is short or the session very long, no more is noted. The session may be NULL.
+ */
+void session_note(Session *, const Laboratory *, SessionEvent);
 
 /* From the first key on every line goes to this file as it comes, and outlives a crash. */
 void session_record(Session *, const char *file, bool force);
@@ -87,19 +83,6 @@ void session_options(const Session *, LaboratoryOptions *);
 
 /* What was noted, in order; NULL: there are no more. */
 const SessionEvent *session_event(const Session *, size_t index);
-
-/* What a session says of itself; what it does not say is "" or 0. Valid until it is freed. */
-typedef struct SessionFacts {
-    const char *student, *id, *lesson, *program;
-    uint64_t version; /* of the lesson's text */
-    uint64_t check;   /* of its lines, */
-    uint64_t keys;    /* and of its keys and their steps alone, without times and sizes of the screen */
-    size_t n_keys;
-    bool ended; /* it goes on to its end */
-    bool sound; /* its check is that of its lines */
-} SessionFacts;
-
-void session_facts(const Session *, SessionFacts *);
 
 void session_free(Session *); /* NULL is allowed */
 

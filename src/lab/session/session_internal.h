@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a session is made of, for the two files that record and read it. Private to this folder. */
+/* What a session is made of, for those that record, read and mark it. Private to this folder. */
 #ifndef LAB_SESSION_SESSION_INTERNAL_H
 #define LAB_SESSION_SESSION_INTERNAL_H
 
@@ -21,8 +21,9 @@ struct Session {
     char student[STUDENT_MAX], id[STUDENT_MAX], program[SESSION_PROGRAM_MAX];
     uint64_t version; /* of the lesson's text */
     uint64_t check;   /* of the lines so far */
-    uint64_t keys;    /* of keys and their steps, where it was read */
-    bool ended, sound;
+    uint64_t keys;    /* of keys and their steps alone, where it was read */
+    bool ended;       /* it goes on to its end */
+    bool sound;       /* its check is that of its lines */
     bool paused, first;
     const char *sheet; /* one of parameter_sheet_words; NULL: none is named */
     SessionEvent *events;

@@ -192,18 +192,6 @@ static bool read_line(Session *session, char *line, FILE *scenario, Status *stat
            status_fail(status, "not enough memory for a session of this length");
 }
 
-static bool read_lines(Session *session, FILE *file, const char *name, FILE *scenario, Status *status)
-{
-    InputLines lines = {.stream = file, .name = name};
-    char line[SESSION_LINE_MAX + 1];
-    InputGot got = INPUT_LINE;
-    while (!is_foreign(session) && (got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE &&
-           !lines.cut)
-        if (!read_line(session, line, scenario, status))
-            return status_prefix(status, "%s:%ld", name, lines.number);
-    return got != INPUT_WRONG; /* a last line that was cut when the computer stopped is dropped */
-}
-
 static bool read_scenario(Session *session, const char *name, const char *text, size_t size, Status *status)
 {
     if (is_foreign(session))
@@ -230,11 +218,19 @@ Session *session_read_stream(FILE *file, const char *name, Status *status)
     size_t size = 0;
     FILE *scenario = open_memstream(&text, &size);
     bool sound = session && scenario;
+    InputLines lines = {.stream = file, .name = name};
+    char line[SESSION_LINE_MAX + 1];
+    InputGot got = INPUT_LINE;
     if (session)
         session->check = session->keys = HASH_BEGIN;
     if (!sound)
         status_fail(status, "not enough memory for a session");
-    sound = sound && read_lines(session, file, name, scenario, status);
+    /* a last line that was cut when the computer stopped is dropped */
+    while (sound && !is_foreign(session) &&
+           (got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE && !lines.cut)
+        sound =
+            read_line(session, line, scenario, status) || status_prefix(status, "%s:%ld", name, lines.number);
+    sound = sound && got != INPUT_WRONG;
     if (scenario && !text_stream_close(scenario, &text))
         sound = sound && status_fail(status, "not enough memory for a session");
     sound = sound && read_scenario(session, name, text, size, status);
