@@ -57,10 +57,8 @@ static void return_to_time(Laboratory *lab)
     if (experiment_pending(experiment, NULL)) {
         const double step = round(lab->editing.anchor_time / experiment_simulation(experiment)->dt);
         const long last = experiment_last_step(experiment);
-        lab->player.goal_step = step < (double)last ? (long)step : last;
-        lab->player.goal_stage = 0;
-        duel_seek(&lab->player.duel, lab->player.goal_step, 0);
-        lab->editing.anchor_step = lab->player.goal_step;
+        lab->editing.anchor_step = step < (double)last ? (long)step : last;
+        duel_seek(&lab->player.duel, lab->editing.anchor_step, 0);
     } else
         lab->editing.anchor_step = experiment_step(experiment);
 }
@@ -135,9 +133,7 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
 {
     Settings old = *laboratory_settings(lab);
     bool same = settings_same(&old, settings);
-    long step;
-    int stage;
-    player_place(lab, &step, &stage);
+    const long step = player_place(lab).step;
     /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
     if (step != lab->editing.anchor_step)
         lab->editing.anchor_time = (double)step * laboratory_simulation(lab)->dt;

@@ -45,7 +45,6 @@ static bool answer_search(Laboratory *lab, const char *text, Status *status)
 
 static void help_command(Laboratory *lab, CommandId id)
 {
-    static const Typing retyped = {.retyped = true};
     int page = lab->height > 6 ? lab->height - 5 : 1;
     switch (id) {
     case COMMAND_UP:
@@ -62,8 +61,7 @@ static void help_command(Laboratory *lab, CommandId id)
         scroll_help(lab, page);
         break;
     case COMMAND_FILTER:
-        prompt_ask(lab, answer_search, false, lab->help.sought, "search the help");
-        lab->prompting.typing = &retyped;
+        prompt_ask(lab, answer_search, &prompt_retyped, lab->help.sought, "search the help");
         break;
     case COMMAND_RIGHT:
     case COMMAND_NEXT_PANE:

@@ -291,7 +291,6 @@ void opening_ask(Laboratory *lab)
         free(names);
     free(settings);
     narrow(list, "", lab->scenario);
-    prompt_ask(lab, answer_scenario, false, "", "open scenario or file");
+    prompt_ask(lab, answer_scenario, &typing, "", "open scenario or file");
     lab->prompting.shown.scenarios = list;
-    lab->prompting.typing = &typing;
 }

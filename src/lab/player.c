@@ -75,12 +75,11 @@ void player_pause(Laboratory *lab)
     player_settle(lab);
 }
 
-void player_place(const Laboratory *lab, long *step, int *stage)
+Place player_place(const Laboratory *lab)
 {
-    const Experiment *experiment = laboratory_run(lab);
-    bool under_way = lab->player.playback.state == STATE_COMPUTING;
-    *step = under_way ? lab->player.goal_step : experiment_step(experiment);
-    *stage = under_way ? lab->player.goal_stage : experiment_stage(experiment);
+    Place place;
+    experiment_goal(laboratory_run(lab), &place.step, &place.stage);
+    return place;
 }
 
 void player_seek(Laboratory *lab, long step, int stage)
@@ -90,8 +89,6 @@ void player_seek(Laboratory *lab, long step, int stage)
         step = 0, stage = 0;
     if (step >= last)
         step = last, stage = 0;
-    lab->player.goal_step = step;
-    lab->player.goal_stage = stage;
     duel_seek(&lab->player.duel, step, stage);
     player_settle(lab);
 }

@@ -18,14 +18,18 @@ typedef struct Stretch {
     double from, to;
 } Stretch;
 
+/* A place of the run: behind so many stages of the step after `step` whole ones. */
+typedef struct Place {
+    long step;
+    int stage;
+} Place;
+
 typedef struct Player {
     Duel duel;         /* behind screen.duel */
     Playback playback; /* behind screen.playback */
     Bookmarks bookmarks;
-    bool second_ended; /* that the second run stopped has been said */
-    RunState resume;   /* after computing: running or paused */
-    long goal_step;    /* where computing goes */
-    int goal_stage;
+    bool second_ended;   /* that the second run stopped has been said */
+    RunState resume;     /* after computing: running or paused */
     long work_total;     /* steps of the work under way when it began */
     long run_limit;      /* running does not go beyond this step; -1: none */
     Stop stop;           /* running does not go beyond this either, and then pauses */
@@ -77,7 +81,7 @@ long player_steps_ahead(const Laboratory *);
 bool player_arrive(Laboratory *);
 
 /* Where the steps of a key begin: the place on screen, or where the work on the way will end. */
-void player_place(const Laboratory *, long *step, int *stage);
+Place player_place(const Laboratory *);
 
 void player_tell_second(Laboratory *);                    /* says once that the second run stopped */
 void player_tell_duel_over(Laboratory *, const Status *); /* says so if a change ended it, and why */

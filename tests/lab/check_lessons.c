@@ -790,7 +790,7 @@ START_TEST(a_turned_page_is_not_waited_for)
     ck_assert_int_eq(bench->lab.screen.playback->state, STATE_COMPUTING);
     laboratory_key(&bench->lab, &on);
     ck_assert_int_eq(bench->lab.screen.lesson->page, 3);
-    ck_assert_int_eq(bench->lab.player.goal_step, 1310); /* its own, not that of the answer */
+    ck_assert_int_eq(player_place(&bench->lab).step, 1310); /* its own, not that of the answer */
     close_bench(bench);
 }
 END_TEST

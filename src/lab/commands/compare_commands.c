@@ -173,8 +173,7 @@ void command_second_toggle(Laboratory *lab)
     lab->prompting.suggestion = duel->n_keys > 0 ? -1 : 0;
     const int n_keys = duel->n_keys > 0 ? duel->n_keys : duel_suggest(settings, 0, keys);
     duel_write_keys(duel->n_keys > 0 ? duel->keys : keys, n_keys, text, sizeof text);
-    prompt_ask(lab, command_second_answer, false, text, "in B is");
-    lab->prompting.typing = &typing;
+    prompt_ask(lab, command_second_answer, &typing, text, "in B is");
     snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint,
              "in what the second run differs; Down offers others, Tab completes, Enter begins the duel");
 }

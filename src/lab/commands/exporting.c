@@ -27,21 +27,12 @@ static const Experiment *run_of(const Duel *duel, int run)
     return run == 0 ? duel->a : run == 1 ? duel->b : NULL;
 }
 
-static bool has_set(const Experiment *experiment, const char *name)
-{
-    const Simulation *simulation = experiment_simulation(experiment);
-    for (int i = 0; i < simulation->n_sets; i++)
-        if (strcmp(simulation->sets[i].name, name) == 0)
-            return true;
-    return false;
-}
-
 /* The files of a run of an export; a table that its method has not is left empty. */
 static void file_names(const Duel *duel, int run, const char *name, char paths[EXPORTS][PATH_BYTES])
 {
     for (int i = 0; i < EXPORTS; i++)
         snprintf(paths[i], PATH_BYTES, "%.255s%s%s", name, run == 0 ? "" : "-b", suffixes[i]);
-    if (!has_set(run_of(duel, run), "node"))
+    if (!simulation_has(experiment_simulation(run_of(duel, run)), HAS_MESH))
         paths[2][0] = '\0';
 }
 
@@ -86,20 +77,32 @@ static bool show_progress(double share, void *context)
     return laboratory_work(context, "exporting %d %%   ^C cancels", (int)(100 * share));
 }
 
+/* What is named, if who asks may write a file; if not, that is said. */
+static void write_named(Laboratory *lab, bool force)
+{
+    Status status = {STATUS_DONE, ""};
+    if (output_allowed(lab->asker, lab->exporting.name, &status))
+        lab->exporting.write(lab, force);
+    else
+        laboratory_tell(lab, "%s", status.text);
+}
+
 static bool answer_replace(Laboratory *lab, const char *text, Status *status)
 {
     (void)text;
     (void)status;
-    return lab->exporting.write(lab, true);
+    write_named(lab, true);
+    return true;
 }
 
 /* Writes what is named, or asks first where `existing` would be replaced; "": nothing would. */
-static bool write_or_ask(Laboratory *lab, bool (*write)(Laboratory *, bool force), const char *existing)
+static bool write_or_ask(Laboratory *lab, void (*write)(Laboratory *, bool force), const char *existing)
 {
     lab->exporting.write = write;
-    if (!*existing)
-        return write(lab, false);
-    prompt_ask_replace(lab, answer_replace, existing);
+    if (*existing)
+        prompt_ask_replace(lab, answer_replace, existing);
+    else
+        write_named(lab, false);
     return true;
 }
 
@@ -139,35 +142,16 @@ static bool write_run(Laboratory *lab, int run, bool force, RunSummary *summary)
     return sound || summary->failed;
 }
 
-/* Steps of a run that the export reaches to. */
-static long steps_of(const Laboratory *lab, int run)
-{
-    const Experiment *experiment = run_of(&lab->player.duel, run);
-    if (!experiment)
-        return 0;
-    return lab->exporting.newest ? experiment_newest(experiment)
-                                 : experiment_step(experiment) + (stages_of(lab, run) > 0);
-}
-
-/* Whether who asks may write a file; if not, that is said. */
-static bool exporting_allowed(Laboratory *lab, const char *name)
-{
-    Status status = {STATUS_DONE, ""};
-    if (output_allowed(lab->asker, name, &status))
-        return true;
-    laboratory_tell(lab, "%s", status.text);
-    return false;
-}
-
-static bool write_export(Laboratory *lab, bool force)
+static void write_export(Laboratory *lab, bool force)
 {
     char paths[EXPORTS][PATH_BYTES];
-    RunSummary first, second = {0};
-    if (!exporting_allowed(lab, lab->exporting.name))
-        return true;
-    const bool both = steps_of(lab, 1) > 0;
-    if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &second)))
-        return true;
+    RunSummary first, other = {0};
+    const Experiment *second = lab->player.duel.b;
+    const bool both =
+        second && (lab->exporting.newest ? experiment_newest(second) > 0
+                                         : experiment_step(second) > 0 || stages_of(lab, 1) > 0);
+    if (!write_run(lab, 0, force, &first) || (both && !write_run(lab, 1, force, &other)))
+        return;
     if (stages_of(lab, 0) == 0) /* else the run itself is not written */
         lab->editing.changed = false;
     file_names(&lab->player.duel, 0, lab->exporting.name, paths);
@@ -178,14 +162,13 @@ static bool write_export(Laboratory *lab, bool force)
         file_names(&lab->player.duel, 1, lab->exporting.name, others);
         const char *slash = strrchr(others[0], '/');
         snprintf(beside, sizeof beside, "; of B likewise %s (%ld rows)", slash ? slash + 1 : others[0],
-                 second.rows);
+                 other.rows);
     }
-    laboratory_say(lab, first.failed || second.failed ? MESSAGE_WARNING : MESSAGE_INFO,
+    laboratory_say(lab, first.failed || other.failed ? MESSAGE_WARNING : MESSAGE_INFO,
                    "wrote %s%s (%ld rows), particles%s%s, each with its .ini%s", both ? "A: " : "",
                    whole ? whole : paths[0], first.rows, paths[2][0] ? ", nodes" : "",
                    stages_of(lab, 0) > 0 ? " after this stage" : "", beside);
     free(whole);
-    return true;
 }
 
 static bool export_named(Laboratory *lab, const char *text, Status *status)
@@ -240,17 +223,16 @@ static double series_bytes(const Laboratory *lab)
 
 static void ask_name(Laboratory *lab)
 {
-    static const Typing typing = {.retyped = true};
     char name[NAME_MAX_BYTES];
     const long rows = series_rows(lab);
     const double megabytes = series_bytes(lab) / 1e6;
     default_name(lab, name);
-    prompt_ask(lab, export_named, false, name, "export %ld row%s, %.*f MB, as", rows, rows == 1 ? "" : "s",
+    prompt_ask(lab, export_named, &prompt_retyped, name, "export %ld row%s, %.*f MB, as", rows,
+               rows == 1 ? "" : "s",
                megabytes < 0.1  ? 3
                : megabytes < 10 ? 1
                                 : 0,
                megabytes);
-    lab->prompting.typing = &typing;
     Prompt *prompt = &lab->prompting.shown;
     snprintf(
         prompt->hint, sizeof prompt->hint,
@@ -288,7 +270,7 @@ static bool answer_in_vain(Laboratory *lab, const char *text, Status *status)
 static void refuse(Laboratory *lab, const char *why)
 {
     Prompt *prompt = &lab->prompting.shown;
-    prompt_ask(lab, answer_in_vain, false, "", "export as");
+    prompt_ask(lab, answer_in_vain, NULL, "", "export as");
     snprintf(prompt->hint, sizeof prompt->hint, "%s", why);
 }
 
@@ -306,7 +288,7 @@ bool exporting_ask(Laboratory *lab, const char *name, Status *status)
     if (!inside && experiment_newest(experiment) == 0)
         refuse(lab, nothing_computed);
     else if (!inside && experiment_step(experiment) < experiment_newest(experiment))
-        prompt_ask(lab, answer_which, false, "newest", "export to here or to the newest time?");
+        prompt_ask(lab, answer_which, NULL, "newest", "export to here or to the newest time?");
     else if (name[0])
         return export_named(lab, name, status);
     else
@@ -317,17 +299,15 @@ bool exporting_ask(Laboratory *lab, const char *name, Status *status)
 /* A view as a figure for paper: `:figure [VIEW] FILE`, or x and a name that ends in .svg, .pdf, .png, .tex or
  * .gp; without its word the focused one. */
 
-static bool write_figure(Laboratory *lab, bool force)
+static void write_figure(Laboratory *lab, bool force)
 {
     const Screen *screen = &lab->screen;
     const View *view = lab->exporting.view;
     Status status = {STATUS_DONE, ""};
     Figure figure;
-    if (!exporting_allowed(lab, lab->exporting.name))
-        return true;
     if (!laboratory_work(lab, "drawing %s", lab->exporting.name)) { /* a large map takes a moment */
         laboratory_tell(lab, "cancelled");
-        return true;
+        return;
     }
     figure_open(&figure, 0, 0);
     const bool sound = figure_add(&figure, screen, view, 1, &status) &&
@@ -335,12 +315,11 @@ static bool write_figure(Laboratory *lab, bool force)
     figure_close(&figure);
     if (!sound) {
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-        return true;
+        return;
     }
     char *whole = realpath(lab->exporting.name, NULL);
     laboratory_tell(lab, "wrote %s: the view %s", whole ? whole : lab->exporting.name, view->word);
     free(whole);
-    return true;
 }
 
 /* The view that the first word names, where a file stands behind it; the rest is the file. */
@@ -385,7 +364,7 @@ bool exporting_figure(Laboratory *lab, const char *words, Status *status)
 }
 
 /* The scenario as it was opened and edited, to its own end; not only what has been computed of it. */
-static bool write_scenario(Laboratory *lab, bool force)
+static void write_scenario(Laboratory *lab, bool force)
 {
     const char *name = lab->exporting.name;
     const Experiment *experiment = laboratory_run(lab);
@@ -400,8 +379,6 @@ static bool write_scenario(Laboratory *lab, bool force)
     }
     OutputFile file = {0};
     (void)force; /* what is a device is there always */
-    if (!exporting_allowed(lab, name))
-        return true;
     const bool sound = output_open(&file, lab->asker, name, true, &status) &&
                        scenario_write(file.stream, &settings, NULL, &status);
     if (!output_end(&file, sound, &status))
@@ -411,7 +388,6 @@ static bool write_scenario(Laboratory *lab, bool force)
         text_append_shell(word, sizeof word, name);
         laboratory_tell(lab, "wrote %s; open it with: matvib %s", name, word);
     }
-    return true;
 }
 
 bool exporting_scenario(Laboratory *lab, const char *text, Status *status)
@@ -430,6 +406,5 @@ void exporting_scenario_ask(Laboratory *lab)
 {
     char name[NAME_MAX_BYTES];
     snprintf(name, sizeof name, "%.200s%s", lab->scenario, strchr(lab->scenario, '.') ? "" : ".ini");
-    prompt_ask(lab, exporting_scenario, false, name, "write scenario to");
-    lab->prompting.typing = &file_typing;
+    prompt_ask(lab, exporting_scenario, &file_typing, name, "write scenario to");
 }

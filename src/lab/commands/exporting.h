@@ -15,7 +15,7 @@ typedef struct Exporting {
     char name[2 * NAME_MAX_BYTES];           /* as long as an answer may be */
     bool newest;                             /* of the run: to its newest step, not to here */
     const View *view;                        /* of a figure */
-    bool (*write)(Laboratory *, bool force); /* what is asked about writes so */
+    void (*write)(Laboratory *, bool force); /* what is asked about writes so */
 } Exporting;
 
 /* Asks how far and under which name, as far as that is not known; `name` "": it is asked for. False: refused.

@@ -18,7 +18,7 @@ void command_filter(Laboratory *lab)
     if (lab->screen.panes.inspecting)
         command_close_inspector(&lab->screen);
     lab->screen.panes.focus = PANE_PARAMETERS;
-    prompt_ask(lab, edit_answer_filter, false, lab->parameters.filter, "parameters whose name contains");
+    prompt_ask(lab, edit_answer_filter, NULL, lab->parameters.filter, "parameters whose name contains");
 }
 
 void command_help_pages(Laboratory *lab)
@@ -44,7 +44,7 @@ static bool quit_key(Laboratory *lab, const char *key)
     return true;
 }
 
-static const Typing quit_typing = {.key = quit_key};
+static const Typing quit_typing = {.yes_no = true, .key = quit_key};
 
 void command_quit(Laboratory *lab)
 {
@@ -54,8 +54,8 @@ void command_quit(Laboratory *lab)
         lab->closed = true;
         return;
     }
-    prompt_ask(lab, answer_quit, true, "", "parameters were changed and nothing was exported: leave?");
-    lab->prompting.typing = &quit_typing;
+    prompt_ask(lab, answer_quit, &quit_typing, "",
+               "parameters were changed and nothing was exported: leave?");
 }
 
 void command_interrupt(Laboratory *lab)

@@ -46,7 +46,7 @@ static void run_again(Laboratory *lab)
         begin_again(lab, true);
         return;
     }
-    prompt_ask(lab, answer_again, true, "", "run again from t = 0? it takes about %s s",
+    prompt_ask(lab, answer_again, &prompt_yes_no, "", "run again from t = 0? it takes about %s s",
                text_rounded(seconds, 2).text);
 }
 
@@ -74,26 +74,22 @@ void command_run_or_pause(Laboratory *lab)
 /* A step that has begun counts as one of those that are done. */
 void command_step(Laboratory *lab, int steps)
 {
-    long step;
-    int stage;
-    player_place(lab, &step, &stage);
+    const Place at = player_place(lab);
     player_pause(lab);
-    if (steps < 0 && stage > 0)
+    if (steps < 0 && at.stage > 0)
         steps++;
-    if (steps < 0 && step == 0 && stage == 0)
+    if (steps < 0 && at.step == 0 && at.stage == 0)
         laboratory_tell(lab, "this is t = 0");
-    else if (steps > 0 && step >= experiment_last_step(laboratory_run(lab)))
+    else if (steps > 0 && at.step >= experiment_last_step(laboratory_run(lab)))
         laboratory_tell(lab, "this is the end of the run");
     else
-        player_seek(lab, step + steps, 0);
+        player_seek(lab, at.step + steps, 0);
 }
 
 void command_stage_forward(Laboratory *lab)
 {
     Experiment *experiment = laboratory_run(lab);
-    long step;
-    int stage;
-    player_place(lab, &step, &stage);
+    const Place at = player_place(lab);
     player_pause(lab);
     if (experiment_at_end(experiment)) {
         laboratory_tell(lab, "this is the end of the run");
@@ -101,8 +97,8 @@ void command_stage_forward(Laboratory *lab)
     }
     if (lab->player.playback.state == STATE_COMPUTING) {
         /* from the place that it is on its way to, not from where it has come */
-        bool whole = stage + 1 >= experiment_simulation(experiment)->n_stages;
-        player_seek(lab, whole ? step + 1 : step, whole ? 0 : stage + 1);
+        bool whole = at.stage + 1 >= experiment_simulation(experiment)->n_stages;
+        player_seek(lab, whole ? at.step + 1 : at.step, whole ? 0 : at.stage + 1);
         return;
     }
     Status status = {STATUS_DONE, ""};
@@ -117,14 +113,12 @@ void command_stage_forward(Laboratory *lab)
 
 void command_stage_back(Laboratory *lab)
 {
-    long step;
-    int stage;
-    player_place(lab, &step, &stage);
+    const Place at = player_place(lab);
     player_pause(lab);
-    if (stage > 0)
-        player_seek(lab, step, stage - 1);
-    else if (step > 0)
-        player_seek(lab, step - 1, laboratory_simulation(lab)->n_stages - 1);
+    if (at.stage > 0)
+        player_seek(lab, at.step, at.stage - 1);
+    else if (at.step > 0)
+        player_seek(lab, at.step - 1, laboratory_simulation(lab)->n_stages - 1);
     else
         laboratory_tell(lab, "this is t = 0");
 }
@@ -194,7 +188,7 @@ bool command_answer_go_to(Laboratory *lab, const char *text, Status *status)
 
 void command_go_to(Laboratory *lab)
 {
-    prompt_ask(lab, command_answer_go_to, false, "", "go to time (or #step)");
+    prompt_ask(lab, command_answer_go_to, NULL, "", "go to time (or #step)");
 }
 
 void command_restart(Laboratory *lab)
@@ -203,67 +197,62 @@ void command_restart(Laboratory *lab)
     begin_again(lab, (computing ? lab->player.resume : lab->player.playback.state) == STATE_RUNNING);
 }
 
-/* The first bookmark that is not before a place. */
-static int bookmark_from(const Screen *screen, long step, int stage)
+/* The first bookmark that is not before where the run is; `is_here`: it is at this very place. */
+static int next_bookmark(const Laboratory *lab, bool *is_here)
 {
-    int at = 0;
-    while (at < screen->bookmarks->count &&
-           (screen_bookmark_step(screen, at) < step ||
-            (screen_bookmark_step(screen, at) == step && screen->bookmarks->places[at].stage < stage)))
-        at++;
-    return at;
-}
-
-static bool is_bookmark(const Screen *screen, int at, long step, int stage)
-{
-    return at < screen->bookmarks->count && screen_bookmark_step(screen, at) == step &&
-           screen->bookmarks->places[at].stage == stage;
+    const Bookmarks *bookmarks = &lab->player.bookmarks;
+    const Place here = player_place(lab);
+    for (int at = 0; at < bookmarks->count; at++) {
+        const long step = screen_bookmark_step(&lab->screen, at);
+        const int stage = bookmarks->places[at].stage;
+        *is_here = step == here.step && stage == here.stage;
+        if (step > here.step || (step == here.step && stage >= here.stage))
+            return at;
+    }
+    *is_here = false;
+    return bookmarks->count;
 }
 
 /* Where there is one already it is taken away. */
 void command_bookmark(Laboratory *lab)
 {
-    Screen *screen = &lab->screen;
-    long step;
-    int stage;
-    player_place(lab, &step, &stage);
-    const int at = bookmark_from(screen, step, stage);
-    Bookmark *place = &lab->player.bookmarks.places[at];
-    const size_t after = (size_t)(lab->player.bookmarks.count - at);
-    if (is_bookmark(screen, at, step, stage)) {
+    Bookmarks *bookmarks = &lab->player.bookmarks;
+    const Place here = player_place(lab);
+    bool is_here;
+    const int at = next_bookmark(lab, &is_here);
+    Bookmark *place = &bookmarks->places[at];
+    const size_t after = (size_t)(bookmarks->count - at);
+    if (is_here) {
         memmove(place, place + 1, (after - 1) * sizeof *place);
-        lab->player.bookmarks.count--;
-        laboratory_tell(lab, "the bookmark at step %ld is gone", step);
-    } else if (lab->player.bookmarks.count == BOOKMARKS_MAX) {
+        bookmarks->count--;
+        laboratory_tell(lab, "the bookmark at step %ld is gone", here.step);
+    } else if (bookmarks->count == BOOKMARKS_MAX) {
         laboratory_tell(lab, "there is room for %d bookmarks: m on one of them takes it away", BOOKMARKS_MAX);
     } else {
         memmove(place + 1, place, after * sizeof *place);
-        *place = (Bookmark){(double)step * laboratory_simulation(lab)->dt, stage};
-        lab->player.bookmarks.count++;
-        laboratory_tell(lab, "bookmark at step %ld: ' comes back here, m again takes it away", step);
+        *place = (Bookmark){(double)here.step * laboratory_simulation(lab)->dt, here.stage};
+        bookmarks->count++;
+        laboratory_tell(lab, "bookmark at step %ld: ' comes back here, m again takes it away", here.step);
     }
 }
 
 /* To the next one in the run, from the last one to the first. */
 void command_jump(Laboratory *lab)
 {
-    const Screen *screen = &lab->screen;
-    const int n_stages = laboratory_simulation(lab)->n_stages;
-    long step;
-    int stage;
-    if (lab->player.bookmarks.count == 0) {
+    const Bookmarks *bookmarks = &lab->player.bookmarks;
+    bool is_here;
+    if (bookmarks->count == 0) {
         laboratory_tell(lab, "no bookmark yet: m sets one");
         return;
     }
-    player_place(lab, &step, &stage);
-    int at = bookmark_from(screen, step, stage);
-    at += is_bookmark(screen, at, step, stage);
-    at %= lab->player.bookmarks.count;
-    stage = lab->player.bookmarks.places[at].stage;
+    int at = next_bookmark(lab, &is_here);
+    at = (at + is_here) % bookmarks->count;
+    const int stage = bookmarks->places[at].stage;
     player_pause(lab);
-    player_seek(lab, screen_bookmark_step(screen, at), stage < n_stages ? stage : 0);
-    if (lab->player.bookmarks.count > 1)
-        laboratory_tell(lab, "bookmark %d of %d", at + 1, lab->player.bookmarks.count);
+    player_seek(lab, screen_bookmark_step(&lab->screen, at),
+                stage < laboratory_simulation(lab)->n_stages ? stage : 0);
+    if (bookmarks->count > 1)
+        laboratory_tell(lab, "bookmark %d of %d", at + 1, bookmarks->count);
 }
 
 /* --- until --------------------------------------------------------------------------------------------- */
@@ -346,10 +335,9 @@ bool command_answer_event(Laboratory *lab, const char *text, Status *status)
 
 void command_next_event(Laboratory *lab)
 {
-    int count, at = 0, stage;
-    long step;
+    int count, at = 0;
+    const long step = player_place(lab).step;
     const Event *events = experiment_events(laboratory_run(lab), &count);
-    player_place(lab, &step, &stage);
     while (at < count && events[at].step <= step)
         at++;
     if (at < count) {
@@ -368,12 +356,11 @@ void command_next_event(Laboratory *lab)
 
 void command_previous_event(Laboratory *lab)
 {
-    int count, stage;
-    long step;
+    int count;
+    const Place here = player_place(lab);
     const Event *events = experiment_events(laboratory_run(lab), &count);
-    player_place(lab, &step, &stage);
     int at = count - 1;
-    while (at >= 0 && (events[at].step > step || (events[at].step == step && stage == 0)))
+    while (at >= 0 && (events[at].step > here.step || (events[at].step == here.step && here.stage == 0)))
         at--;
     if (at >= 0)
         go_to_event(lab, events, at, count);

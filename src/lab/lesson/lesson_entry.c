@@ -35,28 +35,24 @@ static Stop goal_stop(const Laboratory *lab, const LessonUntil *until)
     return stop;
 }
 
-/* The first event of the page's kind behind the place where it was opened, as far as the run has come; -1:
- * none. */
-static long event_step(const Laboratory *lab, const Stop *stop)
-{
-    int count;
-    const Event *events = experiment_events(laboratory_run(lab), &count);
-    for (int i = 0; i < count; i++)
-        if (events[i].step > lab->play.step && events[i].step <= experiment_step(laboratory_run(lab)) &&
-            stop->events >> events[i].kind & 1)
-            return events[i].step;
-    return -1;
-}
-
-/* The whole step at which the goal is a place of the run; -1: it is none, or not known. */
+/* The whole step at which the goal is a place of the run; -1: it is none, or not known. That of an event is
+ * the first one behind the place where the page was opened, as far as the run has come. */
 static long goal_step(const Laboratory *lab, const LessonUntil *until)
 {
+    const Experiment *experiment = laboratory_run(lab);
     const Stop stop = goal_stop(lab, until);
-    const long last = experiment_last_step(laboratory_run(lab));
-    const long step = until->kind == UNTIL_END || until->kind == UNTIL_GOAL ? last
-                      : stop.kind == STOP_AT_EVENT                          ? event_step(lab, &stop)
-                                                   : stop_step(&stop, laboratory_run(lab));
-    return step < last ? step : last;
+    const long last = experiment_last_step(experiment);
+    if (until->kind == UNTIL_END || until->kind == UNTIL_GOAL)
+        return last;
+    if (stop.kind != STOP_AT_EVENT)
+        return stop_step(&stop, experiment) < last ? stop_step(&stop, experiment) : last;
+    int count;
+    const Event *events = experiment_events(experiment, &count);
+    for (int i = 0; i < count; i++)
+        if (events[i].step > lab->play.place.step && events[i].step <= experiment_step(experiment) &&
+            stop.events >> events[i].kind & 1)
+            return events[i].step;
+    return -1;
 }
 
 static bool is_met(Laboratory *lab, const LessonUntil *until)
@@ -87,15 +83,14 @@ static bool is_met(Laboratory *lab, const LessonUntil *until)
     return true;
 }
 
-/* Where a page's goal leaves the run. What was only to be looked at, a command, leaves nothing behind. */
-static void goal_place(const Laboratory *lab, const LessonUntil *until, long *step, int *stage)
+/* Where a page's goal leaves a run that is `from` there. What was only to be looked at, a command, leaves
+ * nothing behind. */
+static Place goal_place(const Laboratory *lab, const LessonUntil *until, Place from)
 {
-    if (until->kind == UNTIL_STAGE) {
-        *stage = (int)until->number;
-    } else if (goal_step(lab, until) >= 0) {
-        *step = goal_step(lab, until);
-        *stage = 0;
-    }
+    if (until->kind == UNTIL_STAGE)
+        return (Place){from.step, (int)until->number};
+    const long step = goal_step(lab, until);
+    return step >= 0 ? (Place){step, 0} : from;
 }
 
 /* --- what a page does ------------------------------------------------------------------------------- */
@@ -143,17 +138,15 @@ static void run_action(Laboratory *lab, const LessonAction *action)
         run_line(lab, line);
     } else if (goal->kind == UNTIL_EVENT) {
         const Stop stop = goal_stop(lab, goal);
-        lab->play.step = experiment_step(laboratory_run(lab));
+        lab->play.place.step = experiment_step(laboratory_run(lab));
         lab->play.hurries = true;
         lab->player.playback.pace = HURRY_PACE;
         lab->player.resume = STATE_RUNNING;
         player_stop_at(lab, &stop);
         player_settle(lab);
     } else {
-        long step = experiment_step(laboratory_run(lab));
-        int stage = 0;
-        goal_place(lab, goal, &step, &stage);
-        player_seek(lab, step, stage);
+        const Place to = goal_place(lab, goal, (Place){experiment_step(laboratory_run(lab)), 0});
+        player_seek(lab, to.step, to.stage);
     }
 }
 
@@ -199,10 +192,13 @@ static void arrive(Laboratory *lab)
     const LessonUntil *until = &lesson_entry_page(lab)->until;
     const Stop stop = until->kind == UNTIL_NOTHING ? next_begin(lab) : goal_stop(lab, until);
     play->arriving = false;
-    play->step = experiment_step(laboratory_run(lab));
-    play->stage = experiment_stage(laboratory_run(lab));
-    if (lesson_entry_page(lab)->exercise)
-        lesson_judge_enter(lab);
+    play->place = (Place){experiment_step(laboratory_run(lab)), experiment_stage(laboratory_run(lab))};
+    if (lesson_entry_page(lab)->exercise) {
+        play->run.known = true;
+        play->run.entered = *experiment_base(laboratory_run(lab));
+        play->run.was_judged = false;
+        lab->homework.elsewhere = (ExerciseMark){0};
+    }
     player_stop_at(lab, &stop);
     if (lab->message.kind != MESSAGE_ERROR && play->resumes > 0)
         laboratory_tell(lab, "you had come to page %d; b turns back", play->resumes);
@@ -355,48 +351,27 @@ static bool has_opening(const LessonPart *part)
     return false;
 }
 
-/* The page from which on the state has to be made. */
-static int first_needed(const Lesson *lesson, int page)
-{
-    if (has_opening(&lesson->pages[page].first))
-        return page;
-    while (page > 0) {
-        const LessonPage *before = &lesson->pages[--page];
-        if (has_opening(&before->first) || has_opening(&before->revealed))
-            return page;
-    }
-    return 0;
-}
-
-static bool is_back(const Laboratory *lab, const LessonPart *part)
-{
-    for (int i = 0; i < part->n_actions; i++) {
-        const LessonAction action = {.line = part->actions[i]};
-        double time;
-        if (is_move(&action) &&
-            (sscanf(action.line, "%*[a-z] %lf", &time) != 1 || time < experiment_time(laboratory_run(lab))))
-            return true;
-    }
-    return false;
-}
-
 /* Whether the run is just what this page leaves to the next one. */
 static bool page_state_reusable(const Laboratory *lab, const LessonPage *page, const LessonPage *next)
 {
     const Experiment *experiment = laboratory_run(lab);
     const LessonPlay *play = &lab->play;
-    long step = play->step;
-    int stage = play->stage;
     if (!page || play->touched || play->arriving || play->next < play->n_queue)
         return false;
     if (page->question && lab->play.shown.answer < 0 && page->revealed.n_actions > 0)
         return false;
     if (page->until.kind == UNTIL_VALUE || page->until.kind == UNTIL_STEP || page->until.kind == UNTIL_GOAL)
         return false; /* other values before it, or its last stage, are seen still */
-    goal_place(lab, &page->until, &step, &stage);
-    return experiment_step(experiment) == step && experiment_stage(experiment) == stage &&
-           experiment_newest(experiment) == step && !experiment_failed(experiment, NULL) &&
-           !is_back(lab, &next->first);
+    for (int i = 0; i < next->first.n_actions; i++) { /* nor may the next one go back */
+        const LessonAction action = {.line = next->first.actions[i]};
+        double time;
+        if (is_move(&action) &&
+            (sscanf(action.line, "%*[a-z] %lf", &time) != 1 || time < experiment_time(experiment)))
+            return false;
+    }
+    const Place left = goal_place(lab, &page->until, play->place);
+    return experiment_step(experiment) == left.step && experiment_stage(experiment) == left.stage &&
+           experiment_newest(experiment) == left.step && !experiment_failed(experiment, NULL);
 }
 
 int *lesson_entry_reached(Laboratory *lab)
@@ -415,7 +390,14 @@ static void queue_page(Laboratory *lab, int page)
     const bool goes_on = shown->page >= 0 && page == shown->page + 1 &&
                          page_state_reusable(lab, lesson_entry_page(lab), &pages[page]);
     play->n_queue = play->next = 0;
-    for (int i = goes_on ? page : first_needed(shown->lesson, page); i < page; i++) {
+    /* the page from which on the state has to be made */
+    int first = page;
+    bool needed = !goes_on && !has_opening(&pages[page].first);
+    while (needed && first > 0) {
+        first--;
+        needed = !has_opening(&pages[first].first) && !has_opening(&pages[first].revealed);
+    }
+    for (int i = first; i < page; i++) {
         queue_part(play, &pages[i].first, false);
         queue_part(play, &pages[i].revealed, false);
         /* Of what the reader finds himself the way that the lesson knows is gone, to the end of its run. */
@@ -484,12 +466,6 @@ void lesson_entry_reveal(Laboratory *lab)
     play->next = 0;
     queue_part(play, &lesson_entry_page(lab)->revealed, true);
     play->arriving = true;
-}
-
-bool lesson_entry_is_stepping(const Laboratory *lab)
-{
-    const LessonPage *page = lesson_entry_page(lab);
-    return page && (page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP || lab->play.stage > 0);
 }
 
 void lesson_entry_note(Laboratory *lab, const Key *key)

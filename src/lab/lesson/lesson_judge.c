@@ -9,6 +9,7 @@
 #include "lab/laboratory.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,18 +30,13 @@ ExerciseMark *lesson_judge_mark(Laboratory *lab)
     return lesson_judge_counts(lab) ? &lab->homework.marks[lab->play.shown.page] : &lab->homework.elsewhere;
 }
 
-void lesson_judge_enter(Laboratory *lab)
-{
-    lab->play.run.known = true;
-    lab->play.run.entered = *experiment_base(laboratory_run(lab));
-    lab->play.run.was_judged = false;
-    lab->homework.elsewhere = (ExerciseMark){0};
-}
-
-void lesson_judge_say(Laboratory *lab, bool right, const char *text)
+void lesson_judge_say(Laboratory *lab, bool right, const char *format, ...)
 {
     LessonShown *shown = &lab->play.shown;
-    snprintf(shown->verdict, sizeof shown->verdict, "%s", text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(shown->verdict, sizeof shown->verdict, format, arguments);
+    va_end(arguments);
     shown->verdict_right = right;
 }
 
@@ -139,7 +135,7 @@ bool lesson_judge_goal(Laboratory *lab)
     Experiment *experiment = laboratory_run(lab);
     ExerciseRun *run = &lab->play.run;
     const Settings *base = experiment_base(experiment);
-    char why[EXPRESSION_MAX + ANSWER_MAX], verdict[sizeof lab->play.shown.verdict];
+    char why[EXPRESSION_MAX + ANSWER_MAX];
     if (!run->known || !experiment_at_end(experiment) || experiment_failed(experiment, NULL) ||
         lab->player.playback.state == STATE_COMPUTING || settings_same(base, &run->entered) ||
         (run->was_judged && settings_same(base, &run->judged)))
@@ -148,8 +144,7 @@ bool lesson_judge_goal(Laboratory *lab)
     ExerciseMark *mark = lesson_judge_mark(lab);
     run->judged = *base;
     run->was_judged = true;
-    snprintf(verdict, sizeof verdict, met ? "Done." : "Not yet: %s.", why);
-    lesson_judge_say(lab, met, verdict);
+    lesson_judge_say(lab, met, met ? "Done." : "Not yet: %s.", why);
     if (mark->right)
         return met;
     mark->tries++;

@@ -14,9 +14,9 @@
 /* Exercises of a page: answers are asked for, judged and noted. */
 
 /* What follows is shown; more answers change nothing. */
-static void reveal(Laboratory *lab)
+static void reveal(Laboratory *lab, int answer)
 {
-    lab->play.shown.answer = 0;
+    lab->play.shown.answer = answer;
     lab->play.warned = false;
     lesson_entry_reveal(lab);
 }
@@ -29,26 +29,13 @@ static bool take_words(Laboratory *lab, const char *text, Status *status)
     mark->tries++;
     snprintf(mark->value, sizeof mark->value, "%s", text);
     lesson_judge_say(lab, true, "Kept for the teacher.");
-    reveal(lab);
+    reveal(lab, 0);
     return true;
-}
-
-/* Once it was right it stays so. */
-static void note_number(ExerciseMark *mark, const Exercise *exercise, double right, double given)
-{
-    if (mark->right)
-        return;
-    mark->tries++;
-    mark->judged = isfinite(right);
-    mark->right = mark->judged && exercise_accepts(exercise, right, given);
-    text_shortest(mark->value, given);
-    exercise_write_number(right, mark->right_answer);
 }
 
 static bool take_number(Laboratory *lab, const char *text, Status *status)
 {
     const Exercise *exercise = lesson_entry_page(lab) ? lesson_entry_page(lab)->exercise : NULL;
-    char verdict[ANSWER_MAX + 40];
     double given, right;
     if (!exercise_read_number(text, &given))
         return status_refuse(status, "a number is expected");
@@ -57,37 +44,39 @@ static bool take_number(Laboratory *lab, const char *text, Status *status)
     if (!lesson_judge_number(lab, &right, status))
         return false;
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
-    note_number(lesson_judge_mark(lab), exercise, right, given);
-    if (!isfinite(right)) {
-        lesson_judge_say(lab, false, "Noted. What is right is not known here.");
-        reveal(lab);
-    } else if (exercise_accepts(exercise, right, given)) {
-        snprintf(verdict, sizeof verdict, "Right: %s.", text);
-        lesson_judge_say(lab, true, verdict);
-        reveal(lab);
-    } else {
-        snprintf(verdict, sizeof verdict, "Not %s. Try again.", text);
-        lesson_judge_say(lab, false, verdict);
+    const bool known = isfinite(right), accepted = known && exercise_accepts(exercise, right, given);
+    ExerciseMark *mark = lesson_judge_mark(lab);
+    if (!mark->right) { /* once it was right it stays so */
+        mark->tries++;
+        mark->judged = known;
+        mark->right = accepted;
+        text_shortest(mark->value, given);
+        exercise_write_number(right, mark->right_answer);
     }
+    if (!known)
+        lesson_judge_say(lab, false, "Noted. What is right is not known here.");
+    else
+        lesson_judge_say(lab, accepted, accepted ? "Right: %s." : "Not %s. Try again.", text);
+    if (accepted || !known)
+        reveal(lab, 0);
     return true;
 }
 
 /* Notes the choice that was taken; only the first one counts, for then the right one is shown. */
-static void lesson_exercise_choose(Laboratory *lab, int choice)
+static void take_answer(Laboratory *lab, int choice)
 {
     const LessonPage *page = lesson_entry_page(lab);
     ExerciseMark *mark = lesson_judge_mark(lab);
-    char first[ANSWER_MAX + 40];
     if (mark->tries++ > 0) {
-        snprintf(first, sizeof first, "Your first answer counts: %s.", mark->value);
         if (lab->play.shown.counts)
-            lesson_judge_say(lab, mark->right, first);
-        return;
+            lesson_judge_say(lab, mark->right, "Your first answer counts: %s.", mark->value);
+    } else {
+        mark->judged = true;
+        mark->right = choice == page->right;
+        snprintf(mark->value, sizeof mark->value, "%s", page->choices[choice]);
+        snprintf(mark->right_answer, sizeof mark->right_answer, "%s", page->choices[page->right]);
     }
-    mark->judged = true;
-    mark->right = choice == page->right;
-    snprintf(mark->value, sizeof mark->value, "%s", page->choices[choice]);
-    snprintf(mark->right_answer, sizeof mark->right_answer, "%s", page->choices[page->right]);
+    reveal(lab, choice);
 }
 
 /* --- opening and closing ---------------------------------------------------------------------------- */
@@ -214,14 +203,6 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
     }
 }
 
-static void take_answer(Laboratory *lab, int choice)
-{
-    lab->play.shown.answer = choice;
-    lesson_exercise_choose(lab, choice);
-    lab->play.warned = false;
-    lesson_entry_reveal(lab);
-}
-
 /* --- keys ------------------------------------------------------------------------------------------- */
 
 bool lesson_play_click(Laboratory *lab, int x, int y)
@@ -246,30 +227,16 @@ void lesson_play_enter(Laboratory *lab)
         laboratory_tell(lab, "a number answers the question: 1 to %d; n goes on anyway", page->n_choices);
     else if (page->question && shown->answer < 0) {
         /* Asks for the number or the words of the page. */
-        static const Typing of_words = {.retyped = true}, of_number = {.retyped = true, .leaves = "nb"};
-        const bool words = lesson_exercise(lesson_entry_page(lab)) == EXERCISE_WORDS;
-        prompt_ask(lab, words ? take_words : take_number, false, "", "%s",
+        static const Typing of_number = {.retyped = true, .leaves = "nb"};
+        const bool words = lesson_exercise(page) == EXERCISE_WORDS;
+        prompt_ask(lab, words ? take_words : take_number, words ? &prompt_retyped : &of_number, "", "%s",
                    words ? "your words" : "your answer");
         snprintf(lab->prompting.shown.hint, sizeof lab->prompting.shown.hint, "%s",
                  words ? "one line for the teacher" : "a number, as 1.5");
-        lab->prompting.typing = words ? &of_words : &of_number;
     } else if (waits)
         edit_begin(lab);
     else
         turn_page(lab, 1, false);
-}
-
-/* Under a page that is read stage by stage a run would carry off what it speaks of: Space does the next
- * stage, or says how to go on. */
-static void step_for_space(Laboratory *lab)
-{
-    const LessonPage *page = lesson_entry_page(lab);
-    if (page->n_choices > 0 && lab->play.shown.answer < 0)
-        laboratory_tell(lab, "a number answers the question: 1 to %d", page->n_choices);
-    else if (page->until.kind == UNTIL_NOTHING || lab->play.shown.met)
-        laboratory_tell(lab, "this page waits for nothing more: n goes on");
-    else
-        lab->carry_out(lab, COMMAND_STAGE_FORWARD);
 }
 
 bool lesson_play_turn(Laboratory *lab, int direction)
@@ -348,9 +315,7 @@ static bool answer_search(Laboratory *lab, const char *text, Status *status)
 
 void lesson_play_search(Laboratory *lab)
 {
-    static const Typing retyped = {.retyped = true};
-    prompt_ask(lab, answer_search, false, lab->help.sought, "search the lessons");
-    lab->prompting.typing = &retyped;
+    prompt_ask(lab, answer_search, &prompt_retyped, lab->help.sought, "search the lessons");
 }
 
 bool lesson_play_key(Laboratory *lab, const Key *key)
@@ -378,12 +343,18 @@ bool lesson_play_key(Laboratory *lab, const Key *key)
             turn_page(lab, turns[i].direction, turns[i].unasked);
             return true;
         }
-    const bool stops = lab->player.playback.state != STATE_RUNNING && lesson_entry_is_stepping(lab);
-    if (stops && strcmp(key->name, "Space") == 0) {
-        step_for_space(lab);
-        return true;
-    }
-    return false;
+    /* under a page that is read within a step, or step by step, a run would carry off what it speaks of:
+     * Space does the next stage, or says how to go on */
+    if (lab->player.playback.state == STATE_RUNNING || strcmp(key->name, "Space") != 0 ||
+        (page->until.kind != UNTIL_STAGE && page->until.kind != UNTIL_STEP && lab->play.place.stage <= 0))
+        return false;
+    if (page->n_choices > 0 && shown->answer < 0)
+        laboratory_tell(lab, "a number answers the question: 1 to %d", page->n_choices);
+    else if (page->until.kind == UNTIL_NOTHING || shown->met)
+        laboratory_tell(lab, "this page waits for nothing more: n goes on");
+    else
+        lab->carry_out(lab, COMMAND_STAGE_FORWARD);
+    return true;
 }
 
 void lesson_play_move(Laboratory *lab, int x, int y)

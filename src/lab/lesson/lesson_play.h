@@ -15,6 +15,7 @@
 #include "base/output.h"
 #include "terminal/keys.h"
 #include "help/command.h"
+#include "lab/player.h"
 
 typedef struct Laboratory Laboratory;
 
@@ -32,14 +33,12 @@ typedef struct ExerciseRun {
     bool was_judged;
 } ExerciseRun;
 
-/* The page's state is reached: from here the reader answers. */
-void lesson_judge_enter(Laboratory *);
-
 bool lesson_judge_counts(const Laboratory *); /* what is answered is of the lesson that was opened with */
 ExerciseMark *lesson_judge_mark(Laboratory *);
 
 /* Says on the page how it went. */
-void lesson_judge_say(Laboratory *, bool right, const char *text);
+void lesson_judge_say(Laboratory *, bool right, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Holds the run against the page's goal, where it has ended and has not been held yet. True: it is met. */
 bool lesson_judge_goal(Laboratory *);
@@ -78,10 +77,9 @@ typedef struct LessonPlay {
     bool arriving;                /* the page's state is not reached as yet */
     Key waiting[LESSON_KEYS_MAX]; /* for it: keys that came meanwhile */
     int n_waiting;
-    bool hurries; /* the run goes on to what the goal of a page before waits for */
-    bool touched; /* since then the reader did more than to run and to step */
-    long step;    /* where the page leaves the run, its goal apart */
-    int stage;
+    bool hurries;      /* the run goes on to what the goal of a page before waits for */
+    bool touched;      /* since then the reader did more than to run and to step */
+    Place place;       /* where the page leaves the run, its goal apart */
     CommandSet used;   /* since the page was opened */
     int digit;         /* in the list, the first of two that was typed; 0: none */
     bool warned;       /* that the page still waits */
@@ -112,9 +110,6 @@ int *lesson_entry_reached(Laboratory *);
 
 /* What follows the answer. */
 void lesson_entry_reveal(Laboratory *);
-
-/* Whether the page is read within a time step, or step by step: Space would run away under it. */
-bool lesson_entry_is_stepping(const Laboratory *);
 
 /* To be told of each key that the reader presses. */
 void lesson_entry_note(Laboratory *, const Key *);

@@ -399,6 +399,5 @@ static const Typing typing = {.key = line_key_of, .offer = complete_line, .typed
 void line_ask(Laboratory *lab)
 {
     lab->prompting.past.at = lab->prompting.past.count;
-    prompt_ask(lab, answer_line, false, "", ":");
-    lab->prompting.typing = &typing;
+    prompt_ask(lab, answer_line, &typing, "", ":");
 }

@@ -9,18 +9,21 @@
 #include <stdio.h>
 #include <string.h>
 
-void prompt_ask(Laboratory *lab, Answer answer, bool yes_no, const char *text, const char *format, ...)
+const Typing prompt_yes_no = {.yes_no = true}, prompt_retyped = {.retyped = true};
+
+void prompt_ask(Laboratory *lab, Answer answer, const Typing *typing, const char *text, const char *format,
+                ...)
 {
     Prompting *prompting = &lab->prompting;
     Prompt *prompt = &prompting->shown;
     va_list arguments;
-    *prompt = (Prompt){.open = true, .yes_no = yes_no};
+    *prompt = (Prompt){.open = true, .yes_no = typing && typing->yes_no};
     va_start(arguments, format);
     visible_format(prompt->question, sizeof prompt->question, format, arguments);
     va_end(arguments);
     prompt_fill(prompting, text);
     prompting->answer = answer;
-    prompting->typing = NULL;
+    prompting->typing = typing;
 }
 
 /* A long name loses its first folders: names differ at their end. */
@@ -30,7 +33,7 @@ void prompt_ask_replace(Laboratory *lab, Answer answer, const char *name)
     const char *end = name;
     for (int more = glyphs_columns(name) - COLUMNS; more > 0; more--)
         glyph_next(&end);
-    prompt_ask(lab, answer, true, "", "%s%s exists: replace?", end > name ? "..." : "", end);
+    prompt_ask(lab, answer, &prompt_yes_no, "", "%s%s exists: replace?", end > name ? "..." : "", end);
     lab->prompting.shown.wants_y = true;
 }
 

@@ -28,6 +28,7 @@ typedef bool (*Answer)(Laboratory *, const char *text, Status *);
 /* What is special about typing the answer to one kind of question; each member may be NULL. */
 typedef struct Completion Completion;
 typedef struct Typing {
+    bool yes_no;                                        /* yes or no is asked, not a text */
     bool (*key)(Laboratory *, const char *key);         /* false: the key does what it does everywhere */
     void (*offer)(Completion *, const Laboratory *lab); /* what Tab completes */
     void (*typed)(Laboratory *, const char *key);       /* the text has changed */
@@ -46,7 +47,10 @@ typedef struct Prompting {
     LineHistory past;
 } Prompting;
 
-void prompt_ask(Laboratory *, Answer, bool yes_no, const char *text, const char *format, ...)
+extern const Typing prompt_yes_no, prompt_retyped; /* with that alone */
+
+/* Typing NULL: nothing is special. */
+void prompt_ask(Laboratory *, Answer, const Typing *, const char *text, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
 /* Asks whether a file that exists is replaced: only y does. */
