@@ -166,7 +166,6 @@ static bool one_stage(Run *run, const Sink *sinks, Status *status)
     Status why = {0};
     if (!simulation_stage(run->sim, &why))
         return fail(run, &why, status);
-    /* After a stage. */
     const Simulation *sim = run->sim;
     const bool whole = sim->stage == 0;
     const long step = whole ? sim->step : sim->step + 1;
@@ -174,17 +173,7 @@ static bool one_stage(Run *run, const Sink *sinks, Status *status)
         if (sink->stage && step >= sink->first && step <= sink->last &&
             !sink->stage(sink->owner, run, step, whole ? sim->n_stages : sim->stage, status))
             return false;
-    return (run->sim->stage != 0 || end_step(run, sinks, status));
-}
-
-/* A whole step, stage by stage. */
-static bool one_step(Run *run, const Sink *sinks, Status *status)
-{
-    do {
-        if (!one_stage(run, sinks, status))
-            return false;
-    } while (run->sim->stage != 0);
-    return true;
+    return sim->stage != 0 || end_step(run, sinks, status);
 }
 
 /* Towards rest it goes by the kinetic energy that is left, by powers of ten, and not by time. */
@@ -201,40 +190,39 @@ bool run_start(Run *run, const Sink *sinks, Status *status)
     return give_row_here(run, sinks, status) && arrive(run, sinks, -1, status);
 }
 
-bool run_advance(Run *run, RunUntil until, const Sink *sinks, Status *status)
+bool run_advance(Run *run, RunUnit unit, long count, const Sink *sinks, Status *status)
 {
     const Simulation *sim = run->sim;
-    ASSERT_INT(until.count, >=, 0);
-    if (until.unit == RUN_STEPS)
+    ASSERT_INT(count, >=, 0);
+    if (unit == RUN_STEPS)
         while (sim->stage != 0 || sim->item != 0)
             if (!one_stage(run, sinks, status))
                 return false;
-    for (long left = until.count; left > 0;) {
+    for (long left = count; left > 0;) {
         const long before = sim->step;
         const bool whole = sim->stage == 0 && sim->item == 0;
         if (whole && before >= run->last)
             return true;
-        if (until.unit == RUN_ITEMS) {
+        if (unit == RUN_ITEMS) {
             Status why = {0};
             bool stage_done = false;
             if (!simulation_slice(run->sim, (size_t)left, &stage_done, &why))
                 return fail(run, &why, status);
-            return !stage_done || run->sim->stage != 0 || end_step(run, sinks, status);
+            return !stage_done || sim->stage != 0 || end_step(run, sinks, status);
         }
-        if (until.unit != RUN_STAGES && cancel_requested(&run->cancel, share_done(run)))
+        if (whole && unit != RUN_STAGES && cancel_requested(&run->cancel, share_done(run)))
             return status_fail(status, "interrupted");
-        if (until.unit == RUN_STAGES               ? !one_stage(run, sinks, status)
-            : is_looked_into(sinks, sim->step + 1) ? !one_step(run, sinks, status)
-                                                   : !one_block(run, sinks, left, status))
+        const bool by_stages = unit == RUN_STAGES || !whole || is_looked_into(sinks, before + 1);
+        if (by_stages ? !one_stage(run, sinks, status) : !one_block(run, sinks, left, status))
             return false;
-        left -= until.unit == RUN_STAGES ? 1 : sim->step - before;
+        left -= unit == RUN_STAGES ? 1 : sim->step - before;
     }
     return true;
 }
 
 bool run_to_end(Run *run, const Sink *sinks, Status *status)
 {
-    return run_advance(run, (RunUntil){RUN_STEPS, LONG_MAX}, sinks, status);
+    return run_advance(run, RUN_STEPS, LONG_MAX, sinks, status);
 }
 
 bool run_is_sound(Run *run)

@@ -50,12 +50,6 @@ typedef enum RunUnit {
     RUN_ITEMS   /* items of the step's stages (Simulation.stage_items), at most to the end of the step */
 } RunUnit;
 
-/* How far to go, never beyond the last step. */
-typedef struct RunUntil {
-    RunUnit unit;
-    long count;
-} RunUntil;
-
 /* Of a simulation at t = 0, which is the run's from here on (NULL, with the status: there is none). False: no
  * memory, or no simulation; to be closed all the same. */
 bool run_open(Run *, const Settings *, Simulation *, Status *);
@@ -64,10 +58,10 @@ void run_close(Run *);
 /* At t = 0: row 0, the changes of step 0, the state. */
 bool run_start(Run *, const Sink *, Status *);
 
-/* Goes on. False: the run failed (then `failed` is set, its failure the status'; the simulation stands at its
- * last sound whole step, or in the middle of one where run_is_sound() says so), a sink failed, or it was
- * given up. */
-bool run_advance(Run *, RunUntil, const Sink *, Status *);
+/* Goes on, never beyond the last step. False: the run failed (then `failed` is set, its failure the status';
+ * the simulation stands at its last sound whole step, or in the middle of one where run_is_sound() says so),
+ * a sink failed, or it was given up. */
+bool run_advance(Run *, RunUnit, long count, const Sink *, Status *);
 
 /* To the end, or to rest. */
 bool run_to_end(Run *, const Sink *, Status *);

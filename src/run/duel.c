@@ -78,14 +78,6 @@ int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
     return 0;
 }
 
-static bool is_duel_key(const Duel *duel, const char *key)
-{
-    for (int i = 0; i < duel->n_keys; i++)
-        if (strcmp(duel->keys[i].key, key) == 0)
-            return true;
-    return false;
-}
-
 /* B's settings where A's are these: changes in mid-run keep their time, those of B's own keys are left out.
  */
 static bool second_settings(const Duel *duel, const Settings *first, Settings *out, Status *status)
@@ -98,42 +90,19 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     for (int i = 0; i < duel->n_keys; i++)
         if (!settings_set(out, duel->keys[i].key, duel->keys[i].value, status))
             return false;
-    for (int i = 0; i < first->n_changes; i++)
-        if (!is_duel_key(duel, first->changes[i].to.key))
+    for (int i = 0; i < first->n_changes; i++) {
+        int own = 0;
+        while (own < duel->n_keys && strcmp(duel->keys[own].key, first->changes[i].to.key) != 0)
+            own++;
+        if (own == duel->n_keys)
             out->changes[out->n_changes++] = first->changes[i];
+    }
     char advice[160];
     return (first->n_changes == 0 || problem_time_step(first, &dt, status)) &&
            changes_keep_time(out, &dt, status) && changes_advice(out, advice, sizeof advice, status);
 }
 
-static void write_names(Duel *duel)
-{
-    const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
-    for (int run = 0; run < 2; run++) {
-        char *name = duel->names[run];
-        name[0] = '\0';
-        for (int i = 0; i < duel->n_keys; i++) {
-            const Parameter *parameter = parameter_find(duel->keys[i].key);
-            char value[LIST_MAX];
-            /* the spacing of a lattice says nothing of cells */
-            if (parameter && parameter_applies_to(settings[run], parameter))
-                settings_spell(settings[run], parameter, value);
-            else if (settings_row_is_key(settings[run], duel->keys[i].key))
-                settings_row_key_show(settings[run], duel->keys[i].key, value);
-            else
-                continue;
-            if (!text_list_add(name, DUEL_NAME_MAX, value))
-                break;
-        }
-    }
-}
-
 /* --- the exact answers ----------------------------------------------------------------------------- */
-
-static bool same_number(double a, double b)
-{
-    return (isnan(a) && isnan(b)) || fabs(a - b) <= 1e-9 * (fabs(a) + fabs(b));
-}
 
 /* Whether one curve stands for both: the exact answer at a few places and times. */
 static bool same_exact(const Experiment *a, const Experiment *b)
@@ -149,8 +118,9 @@ static bool same_exact(const Experiment *a, const Experiment *b)
     for (int i = 1; i <= TIMES; i++)
         for (int k = 1; k <= PLACES; k++) {
             const double x = last * k / PLACES, time = end * i / (TIMES + 0.5);
-            if (!same_number(references_profile(experiment_references(a), field, x, time),
-                             references_profile(experiment_references(b), field, x, time)))
+            const double of_a = references_profile(experiment_references(a), field, x, time);
+            const double of_b = references_profile(experiment_references(b), field, x, time);
+            if (!(isnan(of_a) && isnan(of_b)) && !(fabs(of_a - of_b) <= 1e-9 * (fabs(of_a) + fabs(of_b))))
                 return false;
         }
     return true;
@@ -172,39 +142,52 @@ void duel_close(Duel *duel)
     duel->b = NULL;
 }
 
-/* The step at which B stands while A stands at its goal: A's whole step counts. */
-static long follow(const Duel *duel)
+/* B stands at its last step that is not beyond A's goal: A's whole step counts. */
+static void seek_second(Duel *duel)
 {
     long step;
     int stage;
+    if (!duel->b)
+        return;
     experiment_goal(duel->a, &step, &stage);
     const double time = (double)step * experiment_simulation(duel->a)->dt;
     /* a step that ends at the same time but for rounding is not beyond it */
     const double steps = floor(time / experiment_simulation(duel->b)->dt * (1 + 1e-12) + 1e-9);
     const long most =
         experiment_failed(duel->b, NULL) ? experiment_newest(duel->b) : experiment_last_step(duel->b);
-    return steps < (double)most ? (long)steps : most;
-}
-
-static void seek_second(Duel *duel)
-{
-    if (duel->b)
-        experiment_seek(duel->b, follow(duel), 0);
+    experiment_seek(duel->b, steps < (double)most ? (long)steps : most, 0);
 }
 
 /* A new B for A as it is now. */
 static bool make_second(Duel *duel, Status *status)
 {
-    Settings settings;
+    Settings second;
     Experiment *fresh = NULL;
-    if (second_settings(duel, experiment_base(duel->a), &settings, status))
-        fresh = experiment_create(&settings, duel->history / 2, duel->threads, status);
+    if (second_settings(duel, experiment_base(duel->a), &second, status))
+        fresh = experiment_create(&second, duel->history / 2, duel->threads, status);
     if (!fresh)
         return false;
     experiment_destroy(duel->b);
     duel->b = fresh;
     duel->same_exact = same_exact(duel->a, duel->b);
-    write_names(duel);
+    const Settings *settings[2] = {experiment_settings(duel->a), experiment_settings(duel->b)};
+    for (int run = 0; run < 2; run++) {
+        char *name = duel->names[run];
+        name[0] = '\0';
+        for (int i = 0; i < duel->n_keys; i++) {
+            const Parameter *parameter = parameter_find(duel->keys[i].key);
+            char value[LIST_MAX];
+            /* the spacing of a lattice says nothing of cells */
+            if (parameter && parameter_applies_to(settings[run], parameter))
+                settings_spell(settings[run], parameter, value);
+            else if (settings_row_is_key(settings[run], duel->keys[i].key))
+                settings_row_key_show(settings[run], duel->keys[i].key, value);
+            else
+                continue;
+            if (!text_list_add(name, DUEL_NAME_MAX, value))
+                break;
+        }
+    }
     seek_second(duel);
     return true;
 }
@@ -311,7 +294,7 @@ bool duel_pending(const Duel *duel, long *steps_left)
     const bool a = experiment_pending(duel->a, &first);
     const bool b = duel->b && experiment_pending(duel->b, &second);
     if (steps_left)
-        *steps_left = (a ? first : 0) + (b ? second : 0);
+        *steps_left = first + second;
     return a || b;
 }
 
@@ -335,32 +318,17 @@ void duel_cancel(Duel *duel)
 
 /* --- other settings -------------------------------------------------------------------------------- */
 
-/* A begins again: so does B, made again where it is no longer the same. */
-static bool restart_second(Duel *duel, Status *status)
-{
-    Settings settings;
-    if (!second_settings(duel, experiment_base(duel->a), &settings, status))
-        return false;
-    return settings_same(&settings, experiment_base(duel->b)) ? experiment_restart(duel->b, false, status)
-                                                              : make_second(duel, status);
-}
-
-/* What does not touch a computed run. */
-static bool edit_second(Duel *duel, const Settings *wanted, Status *status)
-{
-    Settings settings = *experiment_settings(duel->b);
-    settings_edit_time(&settings)->end = settings_time(wanted)->end;
-    settings_take_output(&settings, wanted);
-    const bool sound = experiment_edit(duel->b, &settings, status);
-    seek_second(duel);
-    return sound;
-}
-
 bool duel_restart(Duel *duel, bool keep_ghost, Status *status)
 {
+    Settings second;
     if (!experiment_restart(duel->a, keep_ghost, status))
         return false;
-    if (duel->b && !restart_second(duel, status))
+    if (!duel->b)
+        return true;
+    /* so does B, made again where it is no longer the same */
+    if (!second_settings(duel, experiment_base(duel->a), &second, status) ||
+        !(settings_same(&second, experiment_base(duel->b)) ? experiment_restart(duel->b, false, status)
+                                                           : make_second(duel, status)))
         let_go(duel, false);
     return true;
 }
@@ -378,7 +346,17 @@ bool duel_change(Duel *duel, const Settings *wanted, DuelChange change, Status *
     if (!change(duel->a, wanted, status))
         return false;
     Status why = {STATUS_DONE, ""};
-    if (again ? !make_second(duel, &why) : !edit_second(duel, wanted, &why)) {
+    bool sound;
+    if (again)
+        sound = make_second(duel, &why);
+    else { /* what does not touch a computed run */
+        second = *experiment_settings(duel->b);
+        settings_edit_time(&second)->end = settings_time(wanted)->end;
+        settings_take_output(&second, wanted);
+        sound = experiment_edit(duel->b, &second, &why);
+        seek_second(duel);
+    }
+    if (!sound) {
         let_go(duel, false);
         status_take(status, &why);
     }

@@ -12,11 +12,6 @@
 #include <stdio.h>
 #include <string.h>
 
-void event_log_forget(EventLog *log)
-{
-    log->begun = false;
-}
-
 static void add(Event *events, int *count, int most, long step, EventKind kind, const char *text)
 {
     if (*count == most)
@@ -61,14 +56,6 @@ static void add_changes(EventLog *log, const Settings *settings)
 static const double levels[] = {.01, .02, .05, .1, .2, .5, 1, 2, 5, 10, 100, 1000};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-static bool crossed_before(const Experiment *experiment, long step)
-{
-    for (int i = 0; i < experiment->n_events; i++)
-        if (experiment->events[i].kind == EVENT_CROSSING)
-            return experiment->events[i].step <= step;
-    return false;
-}
-
 static void add_drift(EnergyWatch *watch, const Experiment *experiment, double drift)
 {
     const double least = fmin(fabs(drift), fabs(watch->before));
@@ -82,9 +69,10 @@ static void add_drift(EnergyWatch *watch, const Experiment *experiment, double d
     changes_in_force(&experiment->base, watch->before_step, &then);
     const Solver *solver = problem_solver(then.problem, then.method);
     const char *damping = solver && solver->damping && !(drift > 0) ? solver->damping(&then) : NULL;
-    const char *cause = damping                                          ? damping
-                        : crossed_before(experiment, watch->before_step) ? "cell crossing"
-                                                                         : "";
+    const char *cause = damping ? damping : "";
+    for (int i = 0; i < experiment->n_events && !damping; i++)
+        if (experiment->events[i].kind == EVENT_CROSSING && experiment->events[i].step <= watch->before_step)
+            cause = "cell crossing";
     snprintf(text, sizeof text, "energy %s %% %s the start%s%s",
              text_rounded(100 * fabs(watch->before), 2).text, drift > 0 ? "above" : "below",
              *cause ? ": " : "", cause);
@@ -96,7 +84,7 @@ static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const
     const Record *record = &experiment->record;
     const int total = references_column(experiment->columns, experiment->n_columns, "total");
     const int work = references_column(experiment->columns, experiment->n_columns, "work");
-    const size_t rows = record->count - (record->loose_last && record->count > 0);
+    const size_t rows = record->count - record->loose_last;
     if (rows < watch->rows || record->spacing != watch->spacing) {
         /* the period that the run really has is the mesh's own: it holds whole ripples */
         const double turn = readout->predicted_known ? readout->predicted : readout->exact;
@@ -162,15 +150,6 @@ static void add_lags(EventLog *log, const Experiment *experiment)
 
 /* --- together ----------------------------------------------------------------------------------------- */
 
-/* Whether another event of the log has the same in it, with more detail: changes, and growth that the drift
- * covers. */
-static bool is_covered(const EventLog *log, const Event *event)
-{
-    const double seen = (double)(log->energy.before_step);
-    return event->kind == EVENT_CHANGE ||
-           (event->kind == EVENT_ENERGY && log->energy.period > 0 && (double)event->step <= seen);
-}
-
 static void sort(Event *events, int count)
 {
     for (int i = 1; i < count; i++) { /* mostly in order already, and equal ones keep theirs */
@@ -206,9 +185,14 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
     for (int i = 0; i < log->n_planned; i++)
         if (log->planned[i].step <= experiment->newest)
             log->events[log->count++] = log->planned[i];
-    for (int i = 0; i < experiment->n_events; i++)
-        if (!is_covered(log, &experiment->events[i]))
-            log->events[log->count++] = experiment->events[i];
+    for (int i = 0; i < experiment->n_events; i++) {
+        /* others have the same in them, with more detail: changes, and growth that the drift covers */
+        const Event *event = &experiment->events[i];
+        const bool drifts =
+            event->kind == EVENT_ENERGY && log->energy.period > 0 && event->step <= log->energy.before_step;
+        if (event->kind != EVENT_CHANGE && !drifts)
+            log->events[log->count++] = *event;
+    }
     for (int i = 0; i < log->energy.n_events; i++)
         log->events[log->count++] = log->energy.events[i];
     add_lags(log, experiment);

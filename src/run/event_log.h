@@ -30,7 +30,7 @@ typedef struct EnergyWatch {
 } EnergyWatch;
 
 typedef struct EventLog {
-    bool begun;
+    bool begun; /* false: all is forgotten, for the run is another one, or part of it was cut off */
     Event planned[EVENT_LOG_PLANNED_MAX]; /* advice and changes */
     int n_planned;
     EnergyWatch energy;
@@ -41,9 +41,6 @@ typedef struct EventLog {
     int n_reported;
     double late; /* the lag per time with which its events were made */
 } EventLog;
-
-/* Forgets everything: the run is another one, or part of it was cut off. */
-void event_log_forget(EventLog *);
 
 /* Brings it up to the newest step. */
 void event_log_update(EventLog *, const Experiment *, const Readout *);

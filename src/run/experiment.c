@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Creates and destroys an experiment and answers what front ends read of it: step, rows, readout,
- * references, events (experiment.h). Forward and backward motion is in experiment_run.c, other settings in
- * experiment_edit.c. */
+/* What front ends read of an experiment: step, rows, readout, references, events (experiment.h); and goals,
+ * on whose way the run itself is moved by experiment_run.c. */
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
 #include "base/status.h"
@@ -12,53 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- life ----------------------------------------------------------------------------------------- */
-
-void experiment_keep_given(Experiment *experiment, const Settings *settings)
-{
-    memcpy(experiment->given, settings->changes, sizeof experiment->given);
-    experiment->n_given = settings->n_changes;
-}
-
-static Experiment *new_experiment(const Settings *settings, int threads, Status *status)
-{
-    Experiment *experiment = calloc(1, sizeof *experiment);
-    if (!experiment || !(experiment->worked = calloc(1, sizeof *experiment->worked))) {
-        status_fail(status, "not enough memory");
-        free(experiment);
-        return NULL;
-    }
-    experiment->threads = threads;
-    experiment->worked->row_step = -1;
-    experiment_keep_given(experiment, settings);
-    return experiment;
-}
-
-Experiment *experiment_create(const Settings *settings, size_t history, int threads, Status *status)
-{
-    ASSERT_INT(threads, >=, 1);
-    Experiment *experiment = new_experiment(settings, threads, status);
-    if (!experiment || experiment_open(experiment, settings, history, threads, status))
-        return experiment;
-    experiment_destroy(experiment);
-    return NULL;
-}
-
-void experiment_destroy(Experiment *experiment)
-{
-    if (!experiment)
-        return;
-    for (int i = 0; i < GHOSTS_MAX; i++)
-        experiment_drop_ghost(&experiment->ghosts[i]);
-    experiment_close(experiment);
-    for (int i = 0; i < SPECTRUM_SPANS; i++)
-        spectrum_close(&experiment->worked->spectra[i]);
-    free(experiment->before.bytes);
-    free(experiment->part.bytes);
-    free(experiment->worked);
-    free(experiment);
-}
-
 void experiment_set_history(Experiment *experiment, size_t history)
 {
     history_set_budget(&experiment->history, history);
@@ -66,7 +18,6 @@ void experiment_set_history(Experiment *experiment, size_t history)
 
 /* --- what there is -------------------------------------------------------------------------------- */
 
-/* What is there as it is asked for. */
 #define READ(Type, name, what)                                                                               \
     Type name(const Experiment *experiment)                                                                  \
     {                                                                                                        \
@@ -108,11 +59,11 @@ int experiment_column(const Experiment *experiment, const char *name)
 
 int experiment_derived(const Experiment *experiment, Derived out[DERIVED_MAX])
 {
-    if (experiment->worked->n_derived == 0 ||
-        memcmp(&experiment->worked->derived_for, &experiment->now, sizeof experiment->now) != 0)
+    const Worked *worked = experiment->worked;
+    if (worked->n_derived == 0 || memcmp(&worked->derived_for, &experiment->now, sizeof experiment->now) != 0)
         experiment_derive(experiment, (Cancel){0}); /* a picture is not interrupted */
-    memcpy(out, experiment->worked->derived, (size_t)experiment->worked->n_derived * sizeof *out);
-    return experiment->worked->n_derived;
+    memcpy(out, worked->derived, (size_t)worked->n_derived * sizeof *out);
+    return worked->n_derived;
 }
 
 bool experiment_failed(const Experiment *experiment, Status *status)
@@ -134,25 +85,23 @@ void experiment_scenario(const Experiment *experiment, bool to_newest, Settings 
 const Readout *experiment_readout(const Experiment *experiment)
 {
     const Record *record = &experiment->record;
-    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
-    size_t known = experiment->worked->readout_rows;
+    Readout *readout = &experiment->worked->readout;
+    size_t rows = record->count - record->loose_last, known = experiment->worked->readout_rows;
     bool still = !experiment->flowing || experiment->run.sim->step >= experiment->run.last;
     if (known == 0 || rows < known || rows > known + known / 10 || (still && rows != known)) {
-        references_readout(experiment->refs, record->rows, rows, record->n_columns,
-                           &experiment->worked->readout);
+        references_readout(experiment->refs, record->rows, rows, record->n_columns, readout);
         /* for want of memory it is asked for again */
-        experiment->worked->readout_rows = experiment->worked->readout.no_memory ? 0 : rows;
+        experiment->worked->readout_rows = readout->no_memory ? 0 : rows;
     }
-    experiment->worked->readout.time = simulation_time(experiment->run.sim);
-    experiment->worked->readout.late =
-        readout_late(&experiment->worked->readout, experiment->worked->readout.time);
-    return &experiment->worked->readout;
+    readout->time = simulation_time(experiment->run.sim);
+    readout->late = readout_late(readout, readout->time);
+    return readout;
 }
 
 const CrackFronts *experiment_fronts(const Experiment *experiment)
 {
-    return crack_fronts_update(&experiment->worked->fronts, experiment->run.sim) ? &experiment->worked->fronts
-                                                                                 : NULL;
+    CrackFronts *fronts = &experiment->worked->fronts;
+    return crack_fronts_update(fronts, experiment->run.sim) ? fronts : NULL;
 }
 
 const Spectrum *experiment_spectrum(const Experiment *experiment, int column, SpectrumSpan span)
@@ -166,29 +115,27 @@ const Spectrum *experiment_ghost_spectrum(const Experiment *experiment, int i, i
 {
     ASSERT_INDEX(i, GHOSTS_MAX);
     const Ghost *ghost = &experiment->ghosts[i];
-    return ghost->spectra && spectrum_of(&ghost->record, column, span, &ghost->spectra[span])
-               ? &ghost->spectra[span]
-               : NULL;
+    Spectrum *spectrum = ghost->spectra ? &ghost->spectra[span] : NULL;
+    return spectrum && spectrum_of(&ghost->record, column, span, spectrum) ? spectrum : NULL;
 }
 
 /* The record's row where it is kept; else it is worked out, which is possible between steps only. */
 const double *experiment_row(const Experiment *experiment)
 {
     Simulation *sim = experiment->run.sim;
-    const double *kept = record_of_step(&experiment->record, sim->step);
+    Worked *worked = experiment->worked;
+    const double time = simulation_time(sim), *kept = record_of_step(&experiment->record, sim->step);
     if (kept)
         return kept;
-    const double *near =
-        record_row(&experiment->record, record_find(&experiment->record, simulation_time(sim)));
-    if (experiment->worked->row_step == sim->step)
-        return experiment->worked->row;
+    if (worked->row_step == sim->step)
+        return worked->row;
+    const double *near = record_row(&experiment->record, record_find(&experiment->record, time));
     if (sim->stage != 0)
         return near;
     simulation_row(sim, experiment->run.block);
-    references_row_again(experiment->refs, sim->step, simulation_time(sim), experiment->run.block, near,
-                         experiment->worked->row);
-    experiment->worked->row_step = sim->step;
-    return experiment->worked->row;
+    references_row_again(experiment->refs, sim->step, time, experiment->run.block, near, worked->row);
+    worked->row_step = sim->step;
+    return worked->row;
 }
 
 /* --- forwards ------------------------------------------------------------------------------------- */
@@ -234,8 +181,7 @@ static bool next_stage(Experiment *experiment, Status *status)
 
 bool experiment_next_stage(Experiment *experiment, Status *status)
 {
-    experiment_drop_part(experiment);
-    experiment->pending = false;
+    experiment_cancel(experiment);
     return next_stage(experiment, status);
 }
 
@@ -284,20 +230,14 @@ static void look_ahead(Simulation *sim, void *context)
     free(before);
 }
 
-static int stage_like(const Simulation *sim, const char *id)
-{
-    int stage = sim->n_stages - 1;
-    while (stage >= 0 && strcmp(sim->stages[stage].id, id) != 0)
-        stage--;
-    return stage;
-}
-
 bool experiment_explain_beside(const Experiment *experiment, const Experiment *other, int stage, int set,
                                size_t index, int terms, char *out, size_t size)
 {
     Simulation *sim = experiment->run.sim;
     const Simulation *theirs = other->run.sim;
-    Ahead ahead = {stage_like(sim, theirs->stages[stage].id), set, terms, index, out, size, false};
+    Ahead ahead = {sim->n_stages - 1, set, terms, index, out, size, false};
+    while (ahead.stage >= 0 && strcmp(sim->stages[ahead.stage].id, theirs->stages[stage].id) != 0)
+        ahead.stage--;
     if (ahead.stage < 0 || set >= sim->n_sets || index >= sim->counts[set] || !sim->method->explain ||
         experiment->pending || sim->stage != 0 || sim->item != 0 || sim->step != theirs->step ||
         sim->dt != theirs->dt)
@@ -342,8 +282,7 @@ void experiment_seek(Experiment *experiment, long step, int stage)
     experiment->goes_on = false;
     experiment->goal_step = step;
     experiment->goal_stage = stage;
-    experiment->pending =
-        experiment->run.sim->step != step || experiment->run.sim->stage != experiment->goal_stage;
+    experiment->pending = experiment->run.sim->step != step || experiment->run.sim->stage != stage;
 }
 
 void experiment_go_on(Experiment *experiment, long steps)

@@ -16,7 +16,7 @@ static void forget_answers(Experiment *experiment)
     experiment->before.known = false;
     experiment->worked->row_step = -1;
     experiment->worked->invariant.any = false;
-    event_log_forget(&experiment->worked->log);
+    experiment->worked->log.begun = false;
     experiment->worked->readout_rows = 0;
     experiment->worked->n_derived = 0;
     for (int i = 0; i < SPECTRUM_SPANS; i++)
@@ -40,8 +40,7 @@ static bool replace_run(Experiment *experiment, const Settings *settings, bool k
     } else if (keep_ghost && experiment_is_pinned(experiment)) {
         experiment_drop_unpinned(experiment);
     } else if (keep_ghost && experiment_has_curve(experiment)) {
-        Ghost left = experiment_leave(experiment);
-        left.record = experiment->record;
+        Ghost left = experiment_leave(experiment, experiment->record);
         experiment->record = (Record){0};
         experiment_keep_ghost(experiment, false, &left);
     }
@@ -75,7 +74,6 @@ static void begin_changed_ones(Settings *settings, const Settings *base)
     for (int i = 0; i < settings->n_changes; i++) {
         const Parameter *parameter = parameter_find(settings->changes[i].to.key);
         if (parameter) {
-            /* Copies the value of one parameter. */
             char text[LIST_MAX];
             settings_get(base, parameter, text);
             settings_set(settings, parameter->key, text, NULL);
@@ -94,7 +92,7 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
         /* The same run from its beginning; nothing has to be made again. */
         Ghost left = {.used = false};
         if (keep_ghost && experiment_has_curve(experiment))
-            left = experiment_leave(experiment);
+            left = experiment_leave(experiment, (Record){0});
         experiment_rewind(experiment, &left.record);
         experiment_keep_ghost(experiment, false, &left);
         experiment->pending = false;
@@ -107,9 +105,8 @@ bool experiment_restart(Experiment *experiment, bool keep_ghost, Status *status)
     return true;
 }
 
-typedef struct Difference {
-    bool restart, live;
-} Difference;
+/* What settings make of a run: the same one, another future of it, or another run. */
+typedef enum Difference { SAME, LIVE, RESTART } Difference;
 
 /* Another end is another run where it is for the problem, or where other answers are known so far. */
 static bool end_matters(const Settings *now, const Settings *wanted)
@@ -137,26 +134,23 @@ static bool differs(const Settings *a, const Settings *b, const Parameter *param
 
 static Difference compare(const Settings *now, const Settings *wanted)
 {
-    Difference difference = {false, false};
+    Difference difference = SAME;
     if (now->problem != wanted->problem || now->method != wanted->method ||
-        !settings_changes_same(now, wanted) || !settings_rows_same(now, wanted))
-        return (Difference){true, false};
-    difference.restart = end_matters(now, wanted);
+        !settings_changes_same(now, wanted) || !settings_rows_same(now, wanted) || end_matters(now, wanted))
+        return RESTART;
     for (int i = 0; i < n_parameters; i++)
         if (differs(now, wanted, &parameters[i]) && recomputes(&parameters[i])) {
-            if (parameter_is_live(&parameters[i], settings_number(now, &parameters[i]),
-                                  settings_number(wanted, &parameters[i])))
-                difference.live = true;
-            else
-                difference.restart = true;
+            if (!parameter_is_live(&parameters[i], settings_number(now, &parameters[i]),
+                                   settings_number(wanted, &parameters[i])))
+                return RESTART;
+            difference = LIVE;
         }
     return difference;
 }
 
 bool experiment_recomputes(const Experiment *experiment, const Settings *wanted)
 {
-    const Difference difference = compare(&experiment->now, wanted);
-    return difference.restart || difference.live;
+    return compare(&experiment->now, wanted) != SAME;
 }
 
 static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool live_from_start,
@@ -182,8 +176,10 @@ static bool edit_from_start(Experiment *experiment, const Settings *wanted, bool
         !replace_run(experiment, &settings, true, true, status))
         return false;
     changes_move(experiment->given, experiment->n_given, dt, new_dt);
-    if (live_from_start)
-        experiment_keep_given(experiment, &settings);
+    if (live_from_start) {
+        memcpy(experiment->given, settings.changes, sizeof experiment->given);
+        experiment->n_given = settings.n_changes;
+    }
     return true;
 }
 
@@ -209,8 +205,7 @@ static bool edit_live(Experiment *experiment, const Settings *wanted, Status *st
     if (experiment->newest > step && !record_copy(&old, &experiment->record))
         return status_fail(status, "not enough memory to keep the curves");
     if (old.count > 0)
-        left = experiment_leave(experiment);
-    left.record = old;
+        left = experiment_leave(experiment, old);
     if (!experiment_change(experiment, step, &changed, status)) {
         experiment_drop_ghost(&left);
         return false;
@@ -237,17 +232,17 @@ static void take_over_rest(Settings *to, const Settings *from)
 bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *status)
 {
     experiment_drop_part(experiment);
-    Difference difference = compare(&experiment->now, wanted);
-    /* what is on screen, or will be as soon as the work is done */
-    long step = experiment->pending ? experiment->goal_step : experiment->run.sim->step;
-    int stage = experiment->pending ? experiment->goal_stage : experiment->run.sim->stage;
-    if (difference.restart)
+    const Difference difference = compare(&experiment->now, wanted);
+    long step;
+    int stage;
+    experiment_goal(experiment, &step, &stage); /* what is on screen, or will be when the work is done */
+    if (difference == RESTART)
         return edit_from_start(experiment, wanted, false, status);
-    if (difference.live && stage == 0 && (step == 0 || step >= experiment->run.last))
+    if (difference == LIVE && stage == 0 && (step == 0 || step >= experiment->run.last))
         return edit_from_start(experiment, wanted, true, status);
     if (!problem_check_steps(settings_time(wanted)->end, experiment->run.sim->dt, status))
         return false;
-    if (difference.live && !edit_live(experiment, wanted, status))
+    if (difference == LIVE && !edit_live(experiment, wanted, status))
         return false;
     take_over_rest(&experiment->base, wanted);
     take_over_rest(&experiment->now, wanted);
@@ -262,8 +257,7 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
 
 bool experiment_replace(Experiment *experiment, const Settings *wanted, Status *status)
 {
-    Difference difference = compare(&experiment->now, wanted);
-    if (!difference.restart && !difference.live)
+    if (compare(&experiment->now, wanted) == SAME)
         return experiment_edit(experiment, wanted, status);
     return edit_from_start(experiment, wanted, false, status);
 }
@@ -276,8 +270,7 @@ bool experiment_rerun(Experiment *experiment, const Settings *wanted, Status *st
 void experiment_become_ghost(Experiment *experiment, Experiment *heir)
 {
     if (experiment_has_curve(experiment)) {
-        Ghost left = experiment_leave(experiment);
-        left.record = experiment->record;
+        Ghost left = experiment_leave(experiment, experiment->record);
         experiment->record = (Record){0};
         experiment_keep_ghost(heir, false, &left);
         experiment_write_legends(heir);
@@ -290,15 +283,10 @@ void experiment_become_ghost(Experiment *experiment, Experiment *heir)
 
 enum { RUNNING_MAX = 20000, PAUSED_MAX = 500000 }; /* particles; a picture must not wait for more */
 
-typedef struct Start {
-    const Settings *base;
-    double energy;
-} Start;
-
 static void look(Simulation *sim, void *context)
 {
-    Start *start = context;
-    start->energy = references_invariant(sim, start->base);
+    const Experiment *experiment = context;
+    experiment->worked->invariant.start = references_invariant(sim, &experiment->base);
 }
 
 bool experiment_invariant(const Experiment *experiment, double *now, double *start)
@@ -313,9 +301,9 @@ bool experiment_invariant(const Experiment *experiment, double *now, double *sta
     /* for want of memory it is asked for again */
     const int before = shortage_begin();
     if (!known->any) {
-        Start at_first = {&experiment->base, NAN};
-        simulation_visit(sim, history_nearest(&experiment->history, 0)->bytes, look, &at_first);
-        *known = (Invariant){.any = errno != ENOMEM, .step = -1, .start = at_first.energy};
+        *known = (Invariant){.step = -1, .start = NAN};
+        simulation_visit(sim, history_nearest(&experiment->history, 0)->bytes, look, (void *)experiment);
+        known->any = errno != ENOMEM;
     }
     if (known->step != sim->step && sim->stage == 0 && sim->item == 0 && !busy && !sim->failed) {
         known->now = references_invariant(sim, &experiment->now);

@@ -71,10 +71,6 @@ struct Experiment {
 
 /* --- the run: experiment_run.c ---------------------------------------------------------------------- */
 
-/* At t = 0, row 0 recorded; of an experiment that is all zeros. False: refused; it is to be closed. */
-bool experiment_open(Experiment *, const Settings *, size_t history, int threads, Status *);
-void experiment_close(Experiment *);
-
 /* Works out the derived numbers of the settings as they are now; what is given up is asked for again. */
 void experiment_derive(const Experiment *, Cancel);
 
@@ -103,8 +99,8 @@ void experiment_set_end(Experiment *, double end);
 
 /* --- ghosts: ghosts.c --------------------------------------------------------------------------------- */
 
-/* What a run leaves behind, but for its record, which the caller adds. */
-Ghost experiment_leave(const Experiment *);
+/* What a run leaves behind, with this record of it. */
+Ghost experiment_leave(const Experiment *, Record);
 
 /* It is handed over, or dropped where there are no rows, no memory or no place for another pinned one. The
  * unpinned ghost has its place for itself. */
@@ -120,9 +116,5 @@ bool experiment_is_pinned(Experiment *);
 
 /* Legends show what differs from the run that is on screen now. */
 void experiment_write_legends(Experiment *);
-
-/* --- life: experiment.c -------------------------------------------------------------------------------- */
-
-void experiment_keep_given(Experiment *, const Settings *); /* its changes came with it */
 
 #endif

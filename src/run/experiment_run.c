@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The run itself: forwards by steps, stages and parts of a stage, back to a keyframe, on into another future.
- */
+/* The run itself, from its beginning to its end: forwards by steps, stages and parts of a stage, back to a
+ * keyframe, on into another future. */
 #include "base/cancel.h"
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
@@ -9,9 +9,9 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "scenario/changes.h"
-#include "scenario/parameters.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const size_t record_budget = (size_t)32 << 20;
@@ -97,10 +97,9 @@ static bool goes_on(const Settings *settings, Status *status)
            status_fail(status, "the building of the run was cancelled");
 }
 
-bool experiment_open(Experiment *experiment, const Settings *settings, size_t history, int threads,
-                     Status *status)
+/* At t = 0, row 0 recorded; of an experiment that is all zeros. */
+static bool begin(Experiment *experiment, const Settings *settings, size_t history, Status *status)
 {
-    ASSERT_INT(threads, >=, 1);
     experiment->base = *settings;
     if (!goes_on(settings, status) ||
         !changes_advice(settings, experiment->advice, sizeof experiment->advice, status))
@@ -108,7 +107,8 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     /* a view may show any of the columns, whatever is written of the run */
     Settings shown = *settings;
     strcpy(settings_edit_output(&shown)->columns, "all");
-    if (!run_open(&experiment->run, &experiment->base, problem_simulate(&shown, threads, status), status))
+    if (!run_open(&experiment->run, &experiment->base, problem_simulate(&shown, experiment->threads, status),
+                  status))
         return false;
     experiment->run.cancel = (Cancel){0}; /* the caller does a little at a time */
     experiment->run.sim->whole_rows = WHOLE_ROWS;
@@ -129,6 +129,44 @@ bool experiment_open(Experiment *experiment, const Settings *settings, size_t hi
     changes_in_force(&experiment->base, 0, &experiment->now);
     experiment_derive(experiment, settings->cancel);
     return true;
+}
+
+void experiment_destroy(Experiment *experiment)
+{
+    if (!experiment)
+        return;
+    for (int i = 0; i < GHOSTS_MAX; i++)
+        experiment_drop_ghost(&experiment->ghosts[i]);
+    references_destroy(experiment->refs);
+    crack_fronts_free(&experiment->worked->fronts);
+    run_close(&experiment->run);
+    record_close(&experiment->record);
+    history_close(&experiment->history);
+    for (int i = 0; i < SPECTRUM_SPANS; i++)
+        spectrum_close(&experiment->worked->spectra[i]);
+    free(experiment->before.bytes);
+    free(experiment->part.bytes);
+    free(experiment->worked);
+    free(experiment);
+}
+
+Experiment *experiment_create(const Settings *settings, size_t history, int threads, Status *status)
+{
+    ASSERT_INT(threads, >=, 1);
+    Experiment *experiment = calloc(1, sizeof *experiment);
+    if (!experiment || !(experiment->worked = calloc(1, sizeof *experiment->worked))) {
+        status_fail(status, "not enough memory");
+        free(experiment);
+        return NULL;
+    }
+    experiment->threads = threads;
+    experiment->worked->row_step = -1;
+    memcpy(experiment->given, settings->changes, sizeof experiment->given);
+    experiment->n_given = settings->n_changes;
+    if (begin(experiment, settings, history, status))
+        return experiment;
+    experiment_destroy(experiment);
+    return NULL;
 }
 
 void experiment_rewind(Experiment *experiment, Record *old)
@@ -154,15 +192,6 @@ void experiment_rewind(Experiment *experiment, Record *old)
     note_now(experiment);
 }
 
-void experiment_close(Experiment *experiment)
-{
-    references_destroy(experiment->refs);
-    crack_fronts_free(&experiment->worked->fronts);
-    run_close(&experiment->run);
-    record_close(&experiment->record);
-    history_close(&experiment->history);
-}
-
 /* --- forwards ------------------------------------------------------------------------------------- */
 
 static long least(long a, long b)
@@ -177,7 +206,7 @@ static bool advance(Experiment *experiment, RunUnit unit, long count, Status *st
     const long last = run->last;
     Sink sinks[2];
     sinks_of(experiment, sinks);
-    const bool sound = run_advance(run, (RunUntil){unit, count}, sinks, status);
+    const bool sound = run_advance(run, unit, count, sinks, status);
     if (run->last < last && experiment->goal_step >= run->last) {
         experiment->goal_step = run->last; /* at rest: what was asked for beyond is not pending */
         experiment->goal_stage = 0;
@@ -196,10 +225,8 @@ static bool fail(Experiment *experiment, const Status *why, Status *status)
     run->failure = *why;
     if (run->sim->step != experiment->newest || !run_is_sound(run)) {
         simulation_restore(run->sim, history_nearest(&experiment->history, experiment->newest)->bytes);
-        /* Up to a step, by what is known of the run. */
-        const Simulation *sim = experiment->run.sim;
-        if (sim->step < experiment->newest)
-            advance(experiment, RUN_STEPS, experiment->newest - sim->step, NULL);
+        if (run->sim->step < experiment->newest)
+            advance(experiment, RUN_STEPS, experiment->newest - run->sim->step, NULL);
     }
     note_now(experiment);
     return status_take(status, why);
@@ -263,7 +290,7 @@ static void see_span(Simulation *sim, void *context)
         simulation_row(sim, run->block);
         see_row(sink.owner, run, sim->step, run->block, NULL);
     }
-    run_advance(run, (RunUntil){RUN_STEPS, span->last - sim->step}, &sink, NULL);
+    run_advance(run, RUN_STEPS, span->last - sim->step, &sink, NULL);
 }
 
 /* A filter looks back over rows that the record may have thinned out; then they are computed again. */
@@ -276,14 +303,6 @@ static void refill_references(Experiment *experiment, long step)
     references_reset(experiment->refs);
     simulation_visit(experiment->run.sim, history_nearest(&experiment->history, span.first)->bytes, see_span,
                      (void *)&span);
-}
-
-static bool same_columns(const Experiment *experiment, const Column *columns, int n_columns)
-{
-    for (int i = 0; i < n_columns && n_columns == experiment->n_columns; i++)
-        if (references_column(experiment->columns, experiment->n_columns, columns[i].quantity.name) != i)
-            return false;
-    return n_columns == experiment->n_columns;
 }
 
 /* The kept rows up to a step as other references would have written them: what the method gave is in every
@@ -300,9 +319,10 @@ static bool write_rows_again(const Experiment *experiment, References *refs, con
     const bool memory = references_memory(refs) > 0;
     record_open(out, n_columns, experiment->record.spacing, record_budget);
     out->thinned = experiment->record.thinned;
-    for (size_t k = 0; k < experiment->record.count && record_row(&experiment->record, k)[0] <= (double)step;
-         k++) {
+    for (size_t k = 0; k < experiment->record.count; k++) {
         const double *old = record_row(&experiment->record, k);
+        if (old[0] > (double)step)
+            break;
         for (int i = 0; i < experiment->n_columns; i++)
             if (series[i] >= 0)
                 given[series[i]] = old[i];
@@ -330,7 +350,10 @@ static bool renew_references(Experiment *experiment, long step, Status *status)
     Column columns[COLUMNS_MAX];
     const int n = references_columns(refs, columns);
     Record record;
-    if (references_memory(experiment->refs) > 0 && same_columns(experiment, columns, n)) {
+    bool same = n == experiment->n_columns;
+    for (int i = 0; i < n && same; i++)
+        same = references_column(experiment->columns, experiment->n_columns, columns[i].quantity.name) == i;
+    if (references_memory(experiment->refs) > 0 && same) {
         references_destroy(refs); /* it would have to look back again */
         return true;
     }
@@ -350,19 +373,17 @@ static bool renew_references(Experiment *experiment, long step, Status *status)
 
 static void cut(Experiment *experiment, long step)
 {
-    bool shorter = experiment->newest > step;
+    Run *run = &experiment->run;
     history_cut(&experiment->history, step);
     record_cut(&experiment->record, step);
-    if (shorter)
-        experiment->newest = step;
     while (experiment->n_events > 0 && experiment->events[experiment->n_events - 1].step > step)
         experiment->n_events--;
-    experiment->run.failed = experiment->run.failed && !shorter;
-    if (shorter)
-        experiment->run.last =
-            problem_last_step(experiment->run.sim->dt, settings_time(&experiment->base)->end);
-    if (shorter)
-        refill_references(experiment, step);
+    if (experiment->newest <= step)
+        return;
+    experiment->newest = step;
+    run->failed = false;
+    run->last = problem_last_step(run->sim->dt, settings_time(&experiment->base)->end);
+    refill_references(experiment, step);
 }
 
 typedef struct Trial {

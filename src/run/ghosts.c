@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ghosts: the curves of earlier runs behind those of the present one. */
 #include "run/experiment_internal.h"
-#include "scenario/settings.h"
 #include "scenario/parameters.h"
 
 #include <stdlib.h>
@@ -28,21 +27,21 @@ void experiment_write_legends(Experiment *experiment)
     }
 }
 
-Ghost experiment_leave(const Experiment *experiment)
+Ghost experiment_leave(const Experiment *experiment, Record kept)
 {
     const Record *record = &experiment->record;
-    const size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0);
-    Ghost left = {.settings = malloc(sizeof *left.settings), .n_columns = experiment->n_columns};
+    const size_t rows = record->count - record->loose_last;
+    Ghost left = {
+        .settings = malloc(sizeof *left.settings), .record = kept, .n_columns = experiment->n_columns};
     if (!left.settings)
         return left;
     *left.settings = experiment->base;
     memcpy(left.columns, experiment->columns, sizeof left.columns);
     references_readout(experiment->refs, record->rows, rows, record->n_columns, &left.readout);
     profile_take(&left.profile, experiment->run.sim, NULL);
-    const CrackFronts *fronts = crack_fronts_update(&experiment->worked->fronts, experiment->run.sim)
-                                    ? &experiment->worked->fronts
-                                    : NULL;
-    crack_line_keep(experiment->run.sim, &experiment->base, fronts, &left.crack);
+    CrackFronts *fronts = &experiment->worked->fronts;
+    crack_line_keep(experiment->run.sim, &experiment->base,
+                    crack_fronts_update(fronts, experiment->run.sim) ? fronts : NULL, &left.crack);
     left.names = simulation_hold_names(experiment->run.sim);
     return left;
 }
@@ -118,8 +117,7 @@ bool experiment_pin(Experiment *experiment, Status *status)
     Record copy;
     if (!record_copy(&copy, &experiment->record))
         return status_fail(status, "not enough memory to pin the curves");
-    Ghost left = experiment_leave(experiment);
-    left.record = copy;
+    Ghost left = experiment_leave(experiment, copy);
     experiment_keep_ghost(experiment, true, &left);
     experiment_write_legends(experiment);
     return true;

@@ -8,7 +8,6 @@
 #include "base/input.h"
 #include "base/text.h"
 #include "base/visible.h"
-#include "scenario/parameters.h"
 
 #include <errno.h>
 #include <math.h>
@@ -40,7 +39,7 @@ static bool fail(const Reader *reader, const char *what)
     return status_refuse(reader->status, "%s:%ld: %s", reader->file, reader->line, what);
 }
 
-typedef enum Got { GOT_LINE, GOT_END, GOT_NOTHING } Got;
+typedef enum Got { GOT_NOTHING /* fail() */, GOT_LINE, GOT_END } Got;
 
 /* The next line without its end: LF, CR LF or CR. */
 static Got next_line(Reader *reader)
@@ -50,24 +49,16 @@ static Got next_line(Reader *reader)
     reader->line++;
     while ((byte = getc(reader->stream)) != EOF && byte != '\n' && byte != '\r') {
         const bool mark = reader->line == 1 && length < 2 && (byte == 0xff || byte == 0xfe);
-        if (mark && length == 1 && (unsigned char)reader->text[0] >= 0xfe) {
-            fail(reader, "is UTF-16 text (save it as CSV in UTF-8)");
-            return GOT_NOTHING;
-        }
-        if (byte < ' ' && byte != '\t') {
-            fail(reader, "holds bytes that are not text (a CSV file is expected)");
-            return GOT_NOTHING;
-        }
-        if (length + 1 == sizeof reader->text) {
-            fail(reader, "the line is too long (at most 16383 bytes)");
-            return GOT_NOTHING;
-        }
+        if (mark && length == 1 && (unsigned char)reader->text[0] >= 0xfe)
+            return fail(reader, "is UTF-16 text (save it as CSV in UTF-8)");
+        if (byte < ' ' && byte != '\t')
+            return fail(reader, "holds bytes that are not text (a CSV file is expected)");
+        if (length + 1 == sizeof reader->text)
+            return fail(reader, "the line is too long (at most 16383 bytes)");
         reader->text[length++] = (char)byte;
     }
-    if (ferror(reader->stream)) {
-        status_refuse(reader->status, "%s: cannot be read: %s", reader->file, strerror(errno));
-        return GOT_NOTHING;
-    }
+    if (ferror(reader->stream))
+        return status_refuse(reader->status, "%s: cannot be read: %s", reader->file, strerror(errno));
     if (byte == EOF && length == 0)
         return GOT_END;
     if (byte == '\r' && (byte = getc(reader->stream)) != '\n' && byte != EOF)
@@ -78,23 +69,18 @@ static Got next_line(Reader *reader)
     return GOT_LINE;
 }
 
-/* A comment, as numpy, MATLAB and Fortran begin it, is kept: names may be in it. */
-static bool says_nothing(Reader *reader)
-{
-    const char *text = reader->text + strspn(reader->text, " \t;,");
-    const bool comments = *text && strchr("#%!", *text);
-    if (comments)
-        snprintf(reader->comment, sizeof reader->comment, "%s", text + 1);
-    return *text == '\0' || comments;
-}
-
-/* The next line that holds something. */
+/* The next line that holds something. A comment, as numpy, MATLAB and Fortran begin it, is kept: names may be
+ * in it. */
 static Got next_row(Reader *reader)
 {
     Got got;
-    do
-        got = next_line(reader);
-    while (got == GOT_LINE && says_nothing(reader));
+    while ((got = next_line(reader)) == GOT_LINE) {
+        const char *text = reader->text + strspn(reader->text, " \t;,");
+        if (*text && !strchr("#%!", *text))
+            break;
+        if (*text)
+            snprintf(reader->comment, sizeof reader->comment, "%s", text + 1);
+    }
     return got;
 }
 
@@ -109,31 +95,25 @@ static bool ends_cell(const Reader *reader, const char *at)
     return *at == '\0' || (strchr(" \t", *at) && unit != '(' && unit != '[');
 }
 
-/* Cuts the line into cells, quotes undone; -1: it cannot be. */
+/* Cuts the line into cells, quotes undone; 0: it cannot be. */
 static int cut_cells(Reader *reader)
 {
     const char *from = reader->text, *blanks = reader->separator == '\t' ? " " : " \t";
     char *to = reader->cut;
     for (int count = 0;;) {
-        if (count == OVERLAY_COLUMNS_MAX) {
-            fail(reader, "too many columns (at most 256)");
-            return -1;
-        }
+        if (count == OVERLAY_COLUMNS_MAX)
+            return fail(reader, "too many columns (at most 256)");
         char *cell = reader->cells[count++] = to;
         from += strspn(from, blanks);
         if (*from == '"') {
             for (from++; *from && (*from != '"' || from[1] == '"'); *to++ = *from++)
                 from += *from == '"';
-            if (*from != '"') {
-                fail(reader, "a quoted cell is not closed");
-                return -1;
-            }
+            if (*from != '"')
+                return fail(reader, "a quoted cell is not closed");
             from++;
             from += strspn(from, blanks);
-            if (*from && *from != reader->separator) {
-                fail(reader, "there is text after a quoted cell");
-                return -1;
-            }
+            if (*from && *from != reader->separator)
+                return fail(reader, "there is text after a quoted cell");
         } else {
             while (!ends_cell(reader, from))
                 *to++ = *from++;
@@ -181,12 +161,6 @@ static bool number_of(const Reader *reader, char *cell, double *value)
 }
 
 /* --- the table ------------------------------------------------------------------------------------ */
-
-/* A name as it can be shown. */
-static void keep_name(char out[OVERLAY_NAME_MAX], const char *name)
-{
-    visible_text(out, OVERLAY_NAME_MAX, name);
-}
 
 static bool no_memory(const Reader *reader)
 {
@@ -254,10 +228,10 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
             ;
         } else if (number_of(reader, reader->cells[i], &value)) {
             if (!isnan(value))
-                note_digits(column, reader->cells[i]);
+                note_digits(column, cell);
         } else {
             char text[OVERLAY_NAME_MAX];
-            keep_name(text, reader->cells[i]);
+            visible_text(text, sizeof text, cell);
             snprintf(what, sizeof what, "column %d%s%s: '%s' is not a number", i + 1,
                      column->name[0] ? ", " : "", column->name, text);
             return fail(reader, what);
@@ -274,14 +248,16 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
 static void take_comment(Reader *reader, Overlay *overlay)
 {
     double value;
+    Status *status = reader->status;
     strcpy(reader->text, reader->comment);
     reader->status = NULL; /* what a comment says is never wrong */
     const int cells = cut_cells(reader);
+    reader->status = status;
     bool names = cells == overlay->n_columns;
     for (int i = 0; i < cells && names; i++)
         names = *reader->cells[i] && !number_of(reader, reader->cells[i], &value);
     for (int i = 0; i < cells && names; i++)
-        keep_name(overlay->columns[i].name, reader->cells[i]);
+        visible_text(overlay->columns[i].name, OVERLAY_NAME_MAX, reader->cells[i]);
 }
 
 /* From the first line: how cells are separated, how many there are, their names or the first row. */
@@ -295,9 +271,9 @@ static bool take_head(Reader *reader, Overlay *overlay)
                                                      : ' ';
     reader->decimal_comma = reader->separator != ',';
     const int cells = cut_cells(reader);
-    if (cells < 0)
+    if (cells == 0)
         return false;
-    if (cells < 2)
+    if (cells == 1)
         return fail(reader,
                     "one column only (a time and a value are expected, separated by , or ; or blanks)");
     overlay->columns = calloc((size_t)cells, sizeof *overlay->columns);
@@ -310,14 +286,12 @@ static bool take_head(Reader *reader, Overlay *overlay)
         names |= !number_of(reader, reader->cells[i], &value);
     }
     for (int i = 0; i < cells && names; i++)
-        keep_name(overlay->columns[i].name, reader->cells[i]);
+        visible_text(overlay->columns[i].name, OVERLAY_NAME_MAX, reader->cells[i]);
     if (names)
         return true;
     if (!take_row(reader, overlay, cells))
         return false;
-    Status *status = reader->status;
     take_comment(reader, overlay);
-    reader->status = status;
     return true;
 }
 
@@ -334,7 +308,7 @@ static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, 
         return false;
     for (long turn = 1; (got = next_row(reader)) == GOT_LINE; turn++) {
         const int cells = cut_cells(reader);
-        if (cells < 0 || !take_row(reader, overlay, cells))
+        if (cells == 0 || !take_row(reader, overlay, cells))
             return false;
         if (turn % LINES_A_TURN == 0 && go_on &&
             !go_on(size > 0 ? (double)ftell(reader->stream) / size : 0, context))
@@ -354,7 +328,7 @@ bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayWord 
         return status_fail(status, "not enough memory for %s", file);
     *reader = (Reader){.stream = stream, .file = file, .status = status, .word = word, .context = context};
     const char *slash = strrchr(file, '/');
-    keep_name(overlay->file, slash ? slash + 1 : file);
+    visible_text(overlay->file, OVERLAY_NAME_MAX, slash ? slash + 1 : file);
     const bool sound = read_table(reader, overlay, go_on, context);
     free(reader);
     if (!sound)
@@ -400,14 +374,6 @@ static int first_named(const Overlay *overlay, const char *const *names)
 }
 
 static const char *const times[] = {"time", "t", "zeit", NULL}, *const places[] = {"x", "x0", NULL};
-
-static bool is_place(const Overlay *overlay, int column)
-{
-    for (int i = 0; places[i]; i++)
-        if (strcasecmp(overlay->columns[column].name, places[i]) == 0)
-            return true;
-    return false;
-}
 
 /* By name, or by number from 1 on; -1, and the status says what there is. */
 int overlay_column(const Overlay *overlay, const char *text, Status *status)
@@ -485,7 +451,9 @@ bool overlay_choose(Overlay *overlay, const char *x, const char *y, const char *
         (column < 0 || (!y && column_named(overlay, curve) < 0 && column_named(overlay, field) >= 0)))
         column = place;
     overlay->x = column < 0 ? 0 : column;
-    overlay->along = is_place(overlay, overlay->x);
+    overlay->along = false;
+    for (int i = 0; places[i] && !overlay->along; i++)
+        overlay->along = strcasecmp(overlay->columns[overlay->x].name, places[i]) == 0;
     overlay->y = -1;
     const char *with = overlay->along ? field : curve;
     if (y && (overlay->y = overlay_column(overlay, y, status)) < 0)
@@ -497,7 +465,7 @@ bool overlay_choose(Overlay *overlay, const char *x, const char *y, const char *
                                  overlay->file, overlay->n_columns);
         overlay->y = 1 - overlay->x;
     }
-    keep_name(overlay->curve, with);
+    visible_text(overlay->curve, OVERLAY_NAME_MAX, with);
     return sort_rows(overlay, status);
 }
 

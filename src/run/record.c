@@ -202,19 +202,6 @@ void history_set_budget(History *history, size_t budget)
         thin(history);
 }
 
-static bool history_grow(History *history)
-{
-    if (history->count < history->room)
-        return true;
-    size_t room = history->room ? 2 * history->room : 16;
-    Keyframe *frames = realloc(history->frames, room * sizeof *frames);
-    if (!frames)
-        return false;
-    history->frames = frames;
-    history->room = room;
-    return true;
-}
-
 bool history_keep(History *history, const Simulation *sim)
 {
     ASSERT_INT(sim->stage, ==, 0); /* a keyframe is a whole step */
@@ -231,7 +218,15 @@ bool history_keep(History *history, const Simulation *sim)
         if (sim->step % history->interval != 0)
             return true;
     }
-    unsigned char *bytes = history_grow(history) ? malloc(size) : NULL;
+    if (history->count == history->room) {
+        const size_t room = first ? 16 : 2 * history->room;
+        Keyframe *frames = realloc(history->frames, room * sizeof *frames);
+        if (!frames)
+            return !first;
+        history->frames = frames;
+        history->room = room;
+    }
+    unsigned char *bytes = malloc(size);
     if (!bytes)
         return !first;
     simulation_snapshot(sim, bytes);

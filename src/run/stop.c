@@ -44,24 +44,21 @@ enum { REST_WORD = 4 };
 #define REST_KINETIC 1e-10
 #define REST_SPAN    0.1 /* of the time */
 
-static bool is_damped(const Experiment *experiment)
-{
-    const Settings *settings = experiment_settings(experiment);
-    return settings->problem->concerns & CONCERN_DAMPING && settings_damping(settings)->rate != 0;
-}
-
 static bool read_event(Stop *stop, const char *word, const Experiment *experiment, bool *sound,
                        Status *status)
 {
     const Simulation *sim = experiment_simulation(experiment);
-    const bool reports = settings_time(experiment_settings(experiment))->rest;
+    const Settings *settings = experiment_settings(experiment);
+    const bool reports = settings_time(settings)->rest;
+    const bool damped =
+        settings->problem->concerns & CONCERN_DAMPING && settings_damping(settings)->rate != 0;
     const int i = text_place_in(word, stop_event_words);
     if (i < 0)
         return false;
     *stop = (Stop){
         .kind = STOP_AT_EVENT, .events = kinds[i].events, .rests = i == REST_WORD && !reports, .since = -1};
     *sound =
-        (i == REST_WORD ? reports || is_damped(experiment)
+        (i == REST_WORD ? reports || damped
                         : simulation_has(sim, kinds[i].needs[0]) || simulation_has(sim, kinds[i].needs[1])) ||
         status_refuse(status, "%s", kinds[i].lacking);
     return true;

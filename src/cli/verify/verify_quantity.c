@@ -336,7 +336,7 @@ double quantity_energy_after_steps(VerifyRun *run, const VerifyRow *row)
         run_open(&other, &run->settings, problem_simulate(&run->settings, run->threads, status), status);
     if (open) /* behind the check that refuses a step beyond the critical one */
         other.sim->dt = row->from * derived_of(run, "dt_crit");
-    if (open && run_advance(&other, (RunUntil){RUN_STEPS, 1}, NULL, status)) {
+    if (open && run_advance(&other, RUN_STEPS, 1, NULL, status)) {
         const int total = simulation_find_series(other.sim, "total");
         simulation_row(other.sim, values);
         const double start = values[total];
