@@ -86,7 +86,7 @@ void cells_fit(Picture *picture, int rows)
 
 /* --- legend ---------------------------------------------------------------------------------------- */
 
-static const char *sign_text(uint32_t sign, int fill, Glyphs glyphs, char out[4])
+static const char *sign_text(uint32_t sign, int fill, Glyphs glyphs, char out[8])
 {
     static const char *const bands[][4] = {
         [GLYPHS_BRAILLE] = {"⣿⣿", "⢕⢕", "⠅⠅", "⠁⠁"},
@@ -94,21 +94,13 @@ static const char *sign_text(uint32_t sign, int fill, Glyphs glyphs, char out[4]
         [GLYPHS_ASCII] = {"##", "++", "..", "::"},
     };
     const bool ascii = glyphs == GLYPHS_ASCII;
-    switch (sign) {
-    case 0:
+    if (sign == 0 || (sign == SIGN_DOTS && ascii))
         return NULL;
-    case SIGN_BAND:
+    if (sign == SIGN_BAND)
         return bands[glyphs][fill & 3];
-    case SIGN_DOTS:
-        return ascii ? NULL : "· ";
-    case 0x25cf:
-        return ascii ? "O " : "● ";
-    case 0x25cb:
-        return ascii ? "o " : "○ ";
-    default:
-        snprintf(out, 4, "%c:", (char)sign);
-        return out;
-    }
+    const size_t bytes = glyph_put(out, sign == SIGN_DOTS ? 0x00b7 : ascii ? glyph_ascii(sign) : sign);
+    strcpy(out + bytes, sign < 0x80 ? ":" : " "); /* a letter is that of an earlier run */
+    return out;
 }
 
 /* Of a file: it is named in the plot, for its name may be long. */
@@ -188,7 +180,7 @@ static void draw_marks(const Picture *picture, Area inner)
 static void draw_notes(const Picture *picture, Area area)
 {
     const int rows = area.rect.height;
-    const bool short_of = rows < picture->n_notes, joined = area.rect.width >= JOINED || short_of;
+    const bool joined = area.rect.width >= JOINED || rows < picture->n_notes;
     for (int i = 0, y = 0; i < picture->n_notes && y < rows;) {
         PictureNote line;
         i = line_of_notes(picture, i, area.rect.width, joined, &line);
@@ -240,13 +232,11 @@ static void draw_drawing(const Picture *picture, Area inner)
     plot_draw(&picture->plot, inner);
     for (int i = 0; i < picture->n_arrows; i++) {
         const PictureArrow *arrow = &picture->arrows[i];
-        area_put(inner, (int)places_across(&places, picture, arrow->to[0]),
-                 (int)places_down(&places, picture, arrow->to[1]),
-                 glyph_arrow(places_across(&places, picture, arrow->to[0]) -
-                                 places_across(&places, picture, arrow->from[0]),
-                             places_down(&places, picture, arrow->to[1]) -
-                                 places_down(&places, picture, arrow->from[1])),
-                 arrow->style);
+        const double x = places_across(&places, picture, arrow->to[0]),
+                     y = places_down(&places, picture, arrow->to[1]);
+        const uint32_t head = glyph_arrow(x - places_across(&places, picture, arrow->from[0]),
+                                          y - places_down(&places, picture, arrow->from[1]));
+        area_put(inner, (int)x, (int)y, head, arrow->style);
     }
     draw_marks(picture, inner);
     places_write(&places, picture);
@@ -303,10 +293,8 @@ const PictureMark *cells_target(const Picture *picture, Rect rect, int x, int y)
             nearest = mark;
         }
     }
-    return x >= rect.x && x <= part.x + part.width && x < rect.x + rect.width && y >= part.y &&
-                   y < part.y + part.height
-               ? nearest
-               : NULL;
+    const Rect around = {rect.x, part.y, rect.width, part.height};
+    return rect_holds(around, x, y) && x <= part.x + part.width ? nearest : NULL;
 }
 
 /* --- the whole ------------------------------------------------------------------------------------- */
@@ -327,7 +315,7 @@ static void draw_labels(const Picture *picture, Area inner)
 static void draw_plot(Picture *picture, Area area, Style heading, int colours)
 {
     const bool drawing = picture->kind == PICTURE_DRAWING;
-    char scale[TICK_TEXT_MAX] = "", x_name[PICTURE_TEXT_MAX], signs[PICTURE_KEYS_MAX][4];
+    char scale[TICK_TEXT_MAX] = "", x_name[PICTURE_TEXT_MAX], signs[PICTURE_KEYS_MAX][8];
     Legend legend[PICTURE_KEYS_MAX];
     int n_legend = 0, bands = 0;
     for (int i = 0; i < picture->n_keys; i++)

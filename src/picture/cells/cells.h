@@ -93,7 +93,4 @@ int legend_draw_short(Area, int x, int y, const Legend *, int n_legend);
 int cells_heading_draw(Area, Style heading, const char *name, const char *scale, const Legend *, int n_legend,
                        bool goes_on);
 
-/* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
-bool cells_heading_hint(Area, int begin, int end, const char *hint);
-
 #endif

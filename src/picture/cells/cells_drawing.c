@@ -44,17 +44,10 @@ static void draw_line(Area area, double from_x, double from_y, double to_x, doub
     const bool lies = fabs(across) > 3 * fabs(down), stands = fabs(down) > 2 * fabs(across);
     for (int i = 0; i <= count; i++) {
         const int x = (int)round(from_x + across * i / count), y = (int)round(from_y + down * i / count);
-        const bool first = i == 0, last = i == count;
-        if (lies)
-            add_arms(area, x, y,
-                     (first == (across < 0) || !(first || last) ? LEFT : 0) |
-                         (last == (across < 0) || !(first || last) ? RIGHT : 0),
-                     style);
-        else if (stands)
-            add_arms(area, x, y,
-                     (first == (down < 0) || !(first || last) ? UP : 0) |
-                         (last == (down < 0) || !(first || last) ? DOWN : 0),
-                     style);
+        const bool first = i == 0, last = i == count, back = (lies ? across : down) < 0;
+        const bool low = first == back || !(first || last), high = last == back || !(first || last);
+        if (lies || stands)
+            add_arms(area, x, y, low * (lies ? LEFT : UP) | high * (lies ? RIGHT : DOWN), style);
         else
             area_put(area, x, y, across * down > 0 ? 0x2572 : 0x2571, style);
     }

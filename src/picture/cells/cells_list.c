@@ -141,6 +141,17 @@ static int draw_column(const PictureList *list, const Sight *sight, Area area, i
     return end;
 }
 
+/* Writes a hint into a heading line, up to column `end`; false: there is no room behind column `begin`. */
+static bool write_hint(Area area, int begin, int end, const char *hint)
+{
+    char text[96];
+    glyphs_plain(area.glyphs, hint, text, sizeof text);
+    const bool fits = begin + glyphs_columns(text) < end;
+    if (fits)
+        area_text_right(area, end, 0, text, STYLE_FAINT);
+    return fits;
+}
+
 void cells_list(const Picture *picture, Area area, Style heading)
 {
     const PictureList *list = picture->list;
@@ -150,11 +161,11 @@ void cells_list(const Picture *picture, Area area, Style heading)
     /* Which columns there are stands behind the heading. */
     char more[64] = "";
     area_rule(area, picture->heading, heading);
-    if (picture->list->what[0] && sight.end_column - sight.first_column < picture->list->n_columns)
+    if (list->what[0] && sight.end_column - sight.first_column < list->n_columns)
         snprintf(more, sizeof more, " ← → columns %d-%d of %d ", sight.first_column + 1, sight.end_column,
-                 picture->list->n_columns);
-    cells_heading_hint(area, 5 + glyphs_columns(picture->heading),
-                       area.rect.width + 1 - (picture->of_side ? SIDE_WIDTH : 2), more);
+                 list->n_columns);
+    write_hint(area, 5 + glyphs_columns(picture->heading),
+               area.rect.width + 1 - (picture->of_side ? SIDE_WIDTH : 2), more);
     const int below = list->count > 0 ? sight.heading_rows + sight.room : sight.heading_rows;
     for (int i = 0; i < picture->n_notes; i++)
         area_text(area, 1, below + i, picture->notes[i].text, picture->notes[i].style);
@@ -239,7 +250,7 @@ static void draw_heading(const Picture *picture, Area area, Style style)
         area_rule(area, headings[i], style);
         for (int k = 0; k < 2; k++) {
             const char *hint = parted ? picture->turn_hint : picture->hints[k];
-            if (hint[0] && cells_heading_hint(area, begin, area.rect.width - 1, hint))
+            if (hint[0] && write_hint(area, begin, area.rect.width - 1, hint))
                 return;
         }
         if (!parted && begin <= area.rect.width)
@@ -437,14 +448,4 @@ int cells_heading_draw(Area area, Style heading, const char *name, const char *s
     }
     area_rule(area, text, heading);
     return draw_entries(area, x, 0, gap, shown, n_legend);
-}
-
-bool cells_heading_hint(Area area, int begin, int end, const char *hint)
-{
-    char text[96];
-    glyphs_plain(area.glyphs, hint, text, sizeof text);
-    if (begin + glyphs_columns(text) >= end)
-        return false;
-    area_text_right(area, end, 0, text, STYLE_FAINT);
-    return true;
 }

@@ -13,9 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GAPLESS                                                                                              \
-    1.15 /* a piece covers so much more than its own: the body does not tear where it is drawn               \
-          */
+#define GAPLESS     1.15 /* a piece covers so much more than its own: the body does not tear */
 #define CLOUD_SHARE 0.7  /* of their own, where they have room to be seen apart */
 #define FAR         1e6  /* cells: a run that has become unstable has nodes anywhere and nowhere */
 #define BESIDE      0.9  /* cells between the end of an arrow and the thing */
@@ -71,11 +69,6 @@ static bool is_inside(const Sheet *sheet, double column, double row)
 }
 
 /* --- pieces to pixels ------------------------------------------------------------------------------- */
-
-static int step_in(const PictureMap *map, double value)
-{
-    return picture_map_step(map, value, RAMP_STEPS);
-}
 
 /* What a step of the ramp, or a thing, is drawn in. */
 static Style style_of(const PictureMap *map, int step)
@@ -165,7 +158,8 @@ static bool is_body(const Pixel *pixel)
 
 static int step_of(const Sheet *sheet, const Pixel *pixel)
 {
-    return is_body(pixel) ? step_in(sheet->map, (double)(pixel->sum / pixel->count)) : NOTHING;
+    return is_body(pixel) ? picture_map_step(sheet->map, (double)(pixel->sum / pixel->count), RAMP_STEPS)
+                          : NOTHING;
 }
 
 /* A pixel that no piece covers, but all four beside it, lies within the body: the strain has parted them. */
@@ -210,6 +204,7 @@ static uint32_t dots_of(const Sheet *sheet, int x, int y)
 static void draw_heat(const Sheet *sheet)
 {
     const Area area = sheet->area;
+    const PictureMap *map = sheet->map;
     cover_all(sheet, CLOUD_SHARE);
     /* The colours in pixels of half a cell across and a quarter down. */
     Sheet fine = *sheet;
@@ -236,16 +231,12 @@ static void draw_heat(const Sheet *sheet)
             if (sheet->coloured) {
                 const int upper = step_of(sheet, pixel_of(sheet, x, 2 * y));
                 const int lower = step_of(sheet, pixel_of(sheet, x, 2 * y + 1));
-                if (upper != NOTHING || lower != NOTHING) {
-                    const Style above = style_of(sheet->map, upper == NOTHING ? lower : upper),
-                                below = style_of(sheet->map, lower == NOTHING ? upper : lower);
-                    if (lower == NOTHING)
-                        area_put(sheet->area, x, y, 0x2580, above);
-                    else if (upper == NOTHING)
-                        area_put(sheet->area, x, y, 0x2584, below);
-                    else
-                        area_put_back(sheet->area, x, y, 0x2580, above, below);
-                }
+                if (upper != NOTHING && lower != NOTHING)
+                    area_put_back(area, x, y, 0x2580, style_of(map, upper), style_of(map, lower));
+                else if (upper != NOTHING)
+                    area_put(area, x, y, 0x2580, style_of(map, upper));
+                else if (lower != NOTHING)
+                    area_put(area, x, y, 0x2584, style_of(map, lower));
                 continue;
             }
             /* The step of a whole cell, from all of its pixels. */
@@ -255,16 +246,16 @@ static void draw_heat(const Sheet *sheet)
                     const Pixel *pixel = pixel_of(sheet, x * sheet->across + column, y * sheet->down + row);
                     if (!is_body(pixel))
                         continue;
-                    all.sum = sheet->map->kinds ? pixel->sum : all.sum + pixel->sum / pixel->count;
-                    all.count = sheet->map->kinds ? 1 : all.count + 1;
+                    all.sum = map->kinds ? pixel->sum : all.sum + pixel->sum / pixel->count;
+                    all.count = map->kinds ? 1 : all.count + 1;
                 }
             const int step = step_of(sheet, &all);
+            if (step == NOTHING)
+                continue;
             const bool dots = area.glyphs == GLYPHS_BRAILLE;
-            const uint32_t glyph = step == NOTHING ? ' '
-                                   : dots          ? dots_of(sheet, x, y)
-                                                   : letter_of(sheet->map, area.glyphs, step);
-            if (glyph != ' ' && glyph != 0x2800)
-                area_put(area, x, y, glyph, style_of(sheet->map, step));
+            const uint32_t glyph = dots ? dots_of(sheet, x, y) : letter_of(map, area.glyphs, step);
+            if (glyph != 0x2800)
+                area_put(area, x, y, glyph, style_of(map, step));
         }
 }
 
@@ -281,7 +272,7 @@ static void draw_dots(const Sheet *sheet)
         place(sheet, map->x[k], map->y[k], &column, &row);
         if (!is_inside(sheet, column, row))
             continue;
-        const int step = step_in(map, map->value[k]);
+        const int step = picture_map_step(map, map->value[k], RAMP_STEPS);
         const uint32_t glyph = few ? letter_of(map, glyphs, step) : 0x25cf;
         area_put(sheet->area, (int)column, (int)row, glyph, style_of(map, step));
     }
@@ -323,15 +314,6 @@ static void draw_line(const Sheet *sheet, const double from[2], const double to[
         /* where lines cross neither direction stands for both */
         crossing->letter = crossing->letter && crossing->letter != letter && !pen->letter ? 'x' : letter;
     }
-}
-
-/* A wall is drawn in the nearest dots that the body leaves free, with a lip at its end. */
-static void draw_wall(const Sheet *sheet, double from[2], double to[2], const Stroke *pen)
-{
-    const double y = from[1] - 0.3 * pen->wall;
-    from[1] = to[1] = pen->wall > 0 ? floor(y) + 0.8 - 1e-6 : ceil(y) - 1 + 0.1;
-    draw_line(sheet, from, to, pen);
-    draw_line(sheet, to, (double[]){to[0], to[1] - 0.6 * pen->wall}, pen);
 }
 
 /* Over a colour what is seen on it. */
@@ -481,23 +463,6 @@ static int draw_half_ramp(const PictureMap *map, Area area, bool coloured, int x
     return x;
 }
 
-/* "├────┤ 2 mm": how long that is, where the body's own length is out of sight. It ends before column `end`,
- * or is left out. Returns its columns. */
-static int draw_length(const PictureMap *map, Area area, int x, int y, int end)
-{
-    enum { COLUMNS_MOST = 10 };
-    const double length = axis_step_down(COLUMNS_MOST / map->scale[0]);
-    const int columns = (int)lround(length * map->scale[0]);
-    char text[NUMBER_TEXT_MAX + 8];
-    snprintf(text, sizeof text, map->is_cloud ? " %s" : " %s mm",
-             text_rounded((map->is_cloud ? 1 : 1e3) * length, 3).text);
-    if (x + columns + glyphs_columns(text) > end)
-        return 0;
-    for (int i = 0; i < columns; i++)
-        area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
-    return columns + area_text(area, x + columns, y, text, STYLE_NORMAL);
-}
-
 /* "● left  ● right", each as its body is drawn, as far as they have room. */
 static void name_kinds(const PictureMap *map, Area area, int colours, int y)
 {
@@ -550,8 +515,18 @@ static void draw_scale(const Picture *picture, Area area, int colours, int y)
     x += area_text(area, x, y, texts[2], STYLE_NORMAL) + 1;
     x += area_text(area, x, y, scale, STYLE_NORMAL) + 2;
     if (map->is_part) {
+        /* "├────┤ 2 mm": how long that is, where the body's own length is out of sight; or it is left out. */
+        enum { COLUMNS_MOST = 10 };
         const int kept = map->is_near ? glyphs_columns(note->brief) + 2 : 0;
-        x += draw_length(map, area, x, y, area.rect.width - kept) + 2;
+        const double length = axis_step_down(COLUMNS_MOST / map->scale[0]);
+        const int columns = (int)lround(length * map->scale[0]);
+        char text[NUMBER_TEXT_MAX + 8];
+        snprintf(text, sizeof text, map->is_cloud ? " %s" : " %s mm",
+                 text_rounded((map->is_cloud ? 1 : 1e3) * length, 3).text);
+        const bool fits = x + columns + glyphs_columns(text) <= area.rect.width - kept;
+        for (int i = 0; i < columns && fits; i++)
+            area_put(area, x + i, y, i == 0 ? 0x251c : i == columns - 1 ? 0x2524 : 0x2500, STYLE_NORMAL);
+        x += 2 + (fits ? columns + area_text(area, x + columns, y, text, STYLE_NORMAL) : 0);
     }
     const char *said = x + glyphs_columns(note->text) >= area.rect.width ? note->brief : note->text;
     if (x + glyphs_columns(said) < area.rect.width)
@@ -621,7 +596,12 @@ void cells_map_body(const Picture *picture, Area area, int colours)
                 continue;
             place(&sheet, a[0], a[1], &from[0], &from[1]);
             place(&sheet, b[0], b[1], &to[0], &to[1]);
-            (stroke->wall ? draw_wall(&sheet, from, to, stroke) : draw_line(&sheet, from, to, stroke));
+            if (stroke->wall) { /* in the nearest dots that the body leaves free, with a lip at its end */
+                const double y = from[1] - 0.3 * stroke->wall;
+                from[1] = to[1] = stroke->wall > 0 ? floor(y) + 0.8 - 1e-6 : ceil(y) - 1 + 0.1;
+                draw_line(&sheet, to, (double[]){to[0], to[1] - 0.6 * stroke->wall}, stroke);
+            }
+            draw_line(&sheet, from, to, stroke);
         }
     }
     draw_arrows(&sheet, false);

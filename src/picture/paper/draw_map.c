@@ -117,9 +117,7 @@ void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
                         add_point(points, &count, place->x0 + x * place->scale_x,
                                   place->y0 + y * place->scale_y);
                     }
-                paper->kind->fill(
-                    paper, points, count,
-                    colour_of(map, level_of(map, (size_t)row * (size_t)map->nx + (size_t)first)));
+                paper->kind->fill(paper, points, count, colour_of(map, level));
             }
         }
     }

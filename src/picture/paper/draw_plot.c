@@ -104,6 +104,7 @@ static void draw_axes(const Frame *frame, double left)
     const Picture *picture = frame->picture;
     const Box *box = &frame->box;
     Paper *paper = frame->paper;
+    const double right = box->x + box->width, bottom = box->y + box->height;
     Type type = {.size = SIZE_TICKS, .align = ALIGN_RIGHT};
     double ticks[TICKS_MAX], used = -INFINITY;
     char text[PICTURE_TEXT_MAX];
@@ -117,7 +118,7 @@ static void draw_axes(const Frame *frame, double left)
     type.align = ALIGN_CENTRE;
     count = axis_ticks(&picture->plot.x, ticks);
     for (int i = 0; i < count; i++) {
-        const double x = x_of(frame, ticks[i]), bottom = box->y + box->height;
+        const double x = x_of(frame, ticks[i]);
         straight(paper, x, bottom, x, bottom + TICK, BLACK, 0.6);
         tick_label(&picture->plot.x, ticks[i], text, sizeof text);
         const double half = draw_words_width(text, &type) / 2;
@@ -126,21 +127,11 @@ static void draw_axes(const Frame *frame, double left)
         used = x + half + BETWEEN;
         paper->kind->text(paper, x, bottom + TICK + SIZE_TICKS, text, &type);
     }
-    const double corners[] = {box->x,
-                              box->y,
-                              box->x,
-                              box->y + box->height,
-                              box->x + box->width,
-                              box->y + box->height,
-                              box->x + box->width,
-                              box->y,
-                              box->x,
-                              box->y};
+    const double corners[] = {box->x, box->y, box->x, bottom, right, bottom, right, box->y, box->x, box->y};
     paper->kind->line(paper, corners, 5, &(Pencil){.colour = BLACK, .width = 0.6});
 
     Type name = {.size = SIZE_WORDS, .align = ALIGN_CENTRE};
-    draw_words(paper, box->x + box->width / 2, box->y + box->height + TICK + SIZE_TICKS + 11, picture->x_name,
-               &name);
+    draw_words(paper, box->x + box->width / 2, bottom + TICK + SIZE_TICKS + 11, picture->x_name, &name);
     if (picture->map) { /* whose heading stands at its colours */
         char scale[TICK_TEXT_MAX];
         axis_scale_text(&picture->plot.y, picture->unit, scale);
@@ -175,58 +166,55 @@ static Pencil pencil_of(const Frame *frame, int index)
 
 static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
 {
-    const Plot *plot = &frame->picture->plot;
-    const Stroke *stroke = &plot->strokes[index];
+    const Stroke *stroke = &frame->picture->plot.strokes[index];
+    const double *points = frame->picture->plot.points + 2 * stroke->first;
+    const Box *box = &frame->box;
+    Paper *paper = frame->paper;
     Pencil pencil = pencil_of(frame, index);
     if (noise)
         pencil.colour = ink_pale(pencil.colour);
-    if ((double)stroke->count > DENSE * frame->box.width)
+    if ((double)stroke->count > DENSE * box->width)
         pencil.width *= noise ? 0.5 : 0.7;
     if (stroke->wall) {
         /* Just outside the body, with a lip at its end. */
-        const double *points = frame->picture->plot.points + 2 * stroke->first;
         const double row = stroke->wall / frame->picture->map->scale[1];
         for (size_t j = 1; j < stroke->count; j++) {
             const double *from = points + 2 * j - 2, *to = points + 2 * j;
             const double x = x_of(frame, to[0]), y = y_of(frame, to[1] + 0.3 * row);
             const double corners[] = {x_of(frame, from[0]), y, x, y, x, y_of(frame, to[1] + 0.9 * row)};
             if (!isnan(from[0]) && !isnan(to[0]))
-                frame->paper->kind->line(frame->paper, corners, 3, &pencil);
+                paper->kind->line(paper, corners, 3, &pencil);
         }
     } else if (stroke->kind == STROKE_LINE) {
-        const double *points = frame->picture->plot.points + 2 * stroke->first;
         size_t count = 0;
         for (size_t i = 0; i <= stroke->count; i++) {
             if (i < stroke->count && isfinite(points[2 * i]) && isfinite(points[2 * i + 1])) {
-                places[2 * count] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
-                places[2 * count + 1] =
-                    bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
+                places[2 * count] = bounded(x_of(frame, points[2 * i]), box->x, box->width);
+                places[2 * count + 1] = bounded(y_of(frame, points[2 * i + 1]), box->y, box->height);
                 count++;
                 continue;
             }
             if (count > 1)
-                frame->paper->kind->line(frame->paper, places, count, &pencil);
+                paper->kind->line(paper, places, count, &pencil);
             count = 0;
         }
     } else if (stroke->kind == STROKE_BAND) {
         /* Lower edge there and upper edge back. */
-        const double *points = frame->picture->plot.points + 2 * stroke->first;
         const size_t pairs = stroke->count / 2;
-        size_t last = 2 * pairs;
         for (size_t i = 0; i < 2 * pairs; i++) {
-            const size_t at = i % 2 == 0 ? i / 2 : last - 1 - i / 2;
-            places[2 * at] = bounded(x_of(frame, points[2 * i]), frame->box.x, frame->box.width);
-            places[2 * at + 1] = bounded(y_of(frame, points[2 * i + 1]), frame->box.y, frame->box.height);
+            const size_t at = i % 2 == 0 ? i / 2 : 2 * pairs - 1 - i / 2;
+            places[2 * at] = bounded(x_of(frame, points[2 * i]), box->x, box->width);
+            places[2 * at + 1] = bounded(y_of(frame, points[2 * i + 1]), box->y, box->height);
         }
         if (pairs >= 2) {
-            frame->paper->kind->fill(frame->paper, places, 2 * pairs, ink_fill(stroke->style, stroke->fill));
-            frame->paper->kind->line(frame->paper, places + 2 * pairs, pairs,
-                                     &(Pencil){.colour = ink_of(stroke->style), .width = 0.5});
+            paper->kind->fill(paper, places, 2 * pairs, ink_fill(stroke->style, stroke->fill));
+            paper->kind->line(paper, places + 2 * pairs, pairs,
+                              &(Pencil){.colour = ink_of(stroke->style), .width = 0.5});
         }
-    }
-    for (size_t k = stroke->first; stroke->kind == STROKE_DOTS && k < stroke->first + stroke->count; k++)
-        frame->paper->kind->disc(frame->paper, x_of(frame, plot->points[2 * k]),
-                                 y_of(frame, plot->points[2 * k + 1]), 1.2, pencil.colour, NULL);
+    } else
+        for (size_t k = 0; k < stroke->count; k++)
+            paper->kind->disc(paper, x_of(frame, points[2 * k]), y_of(frame, points[2 * k + 1]), 1.2,
+                              pencil.colour, NULL);
 }
 
 /* By rank, noise below all; a broken line lies over a whole one, which shows between its dashes. */
@@ -308,18 +296,12 @@ static void draw_node(const Frame *frame, const PictureMark *mark, double x, dou
     }
 }
 
-/* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs each means
- * a place. */
-static bool is_shared(const Picture *picture, const PictureMark *a, const PictureMark *b)
-{
-    const bool spreads = a->glyph == SIGN_SUPPORT || a->glyph == SIGN_ROLLER || a->glyph == SIGN_LOAD;
-    return a->glyph == b->glyph && spreads && fabs(a->x - b->x) <= NEAR * range_of(&picture->plot.x);
-}
-
 static size_t draw_signs(const Frame *frame, size_t first)
 {
     const Picture *picture = frame->picture;
     const PictureMark *begin = &picture->marks[first];
+    const uint32_t glyph = begin->glyph;
+    const bool spreads = glyph == SIGN_SUPPORT || glyph == SIGN_ROLLER || glyph == SIGN_LOAD;
     double sum_x = 0, sum_y = 0;
     size_t end = first;
     if (begin->kind == MARK_CHOSEN)
@@ -340,11 +322,13 @@ static size_t draw_signs(const Frame *frame, size_t first)
                      x_of(frame, begin->x + begin->half), y, BLACK, 1.1);
             straight(frame->paper, x, y, x, y_of(frame, begin->y + 0.5), BLACK, 1.1);
         }
-    } while (end < picture->n_marks && is_shared(picture, begin, &picture->marks[end]));
+        /* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs
+         * each means a place. */
+    } while (spreads && end < picture->n_marks && picture->marks[end].glyph == glyph &&
+             fabs(begin->x - picture->marks[end].x) <= NEAR * range_of(&picture->plot.x));
     /* Supports hang below their place, loads of beams stand above it. */
     const double x = sum_x / (double)(end - first);
     const double y = sum_y / (double)(end - first);
-    const uint32_t glyph = begin->glyph;
     const double size = frame->box.width < SMALL ? 0.7 : 1;
     const double away = size * (glyph == SIGN_LOAD ? -6 : 6), half = 3.2 * size;
     const double corners[] = {x, y, x - half, y + away, x + half, y + away};
@@ -479,18 +463,16 @@ typedef struct Margins {
 
 static Margins margins_of(const Picture *picture)
 {
-    const Type *type = &(Type){.size = SIZE_TICKS};
     double ticks[TICKS_MAX], widest = 0;
+    if (picture->bare)
+        return (Margins){0, 0, 0, 0};
     const int count = axis_ticks(&picture->plot.y, ticks);
     for (int i = 0; i < count; i++) {
         char text[64];
         tick_label(&picture->plot.y, ticks[i], text, sizeof text);
-        widest = fmax(widest, draw_words_width(text, type));
+        widest = fmax(widest, draw_words_width(text, &(Type){.size = SIZE_TICKS}));
     }
-    const double labels = widest;
-    if (picture->bare)
-        return (Margins){0, 0, 0, 0};
-    return (Margins){SIZE_WORDS + 5 + labels + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
+    return (Margins){SIZE_WORDS + 5 + widest + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
 }
 
 double draw_plot_height(const Picture *picture, double width)

@@ -86,27 +86,26 @@ static double draw_panel(Paper *paper, const FigurePanel *panel, Box box, bool a
 {
     const Type caption = {.size = SIZE_WORDS, .bold = true};
     const Picture *picture = &panel->picture;
-    const double heights[] = {panel->caption[0] ? LINE_HEIGHT * SIZE_WORDS : 0,
-                              alone && picture->n_keys > 0 ? draw_legend_rows(NULL, picture, box) + 2 : 0};
+    const double title = panel->caption[0] ? LINE_HEIGHT * SIZE_WORDS : 0;
+    const double legend = alone && picture->n_keys > 0 ? draw_legend_rows(NULL, picture, box) + 2 : 0;
     const double bar = alone ? draw_heat_bar(NULL, picture, box) : 0;
     double notes = draw_all_notes(NULL, picture, alone, box);
     notes += notes > 0 ? 4 : 0;
+    const double around = title + legend + bar + notes;
     if (!paper)
-        return heights[0] + heights[1] + bar + notes;
-    for (int i = 0; i < 2; i++) {
-        if (i == 0 && heights[0] > 0)
-            draw_words(paper, box.x, box.y + SIZE_WORDS, panel->caption, &caption);
-        else if (heights[i] > 0)
-            draw_legend_rows(paper, picture, box);
-        box.y += heights[i];
-        box.height -= heights[i];
-    }
-    box.height -= notes + bar;
+        return around;
+    if (title > 0)
+        draw_words(paper, box.x, box.y + SIZE_WORDS, panel->caption, &caption);
+    box.y += title;
+    if (legend > 0)
+        draw_legend_rows(paper, picture, box);
+    box.y += legend;
+    box.height = box.height - title - legend - (notes + bar);
     draw_plot(paper, picture, box);
     if (bar > 0)
         draw_heat_bar(paper, picture, (Box){box.x, box.y + box.height, box.width, bar});
     draw_all_notes(paper, picture, alone, (Box){box.x, box.y + box.height + bar + 4, box.width, notes});
-    return heights[0] + heights[1] + bar + notes;
+    return around;
 }
 
 /* --- the whole ------------------------------------------------------------------------------------- */
@@ -332,18 +331,6 @@ static bool no_memory(Status *status)
 
 /* --- panels ----------------------------------------------------------------------------------------- */
 
-/* "t 0.1200 ms" as "t = 0.12 ms". */
-static void caption_of(const char *time, char *out, size_t size)
-{
-    const char *number = time + strcspn(time, "0123456789"), *point = strchr(number, '.');
-    const size_t whole = strspn(number, "0123456789");
-    size_t kept = whole;
-    for (size_t i = 1; point && point[i] >= '0' && point[i] <= '9'; i++)
-        if (point[i] != '0')
-            kept = whole + 1 + i;
-    snprintf(out, size, "t = %.*s%s", (int)kept, number, number + strspn(number, "0123456789."));
-}
-
 bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
 {
     const Settings *settings = screen_settings(screen);
@@ -374,8 +361,17 @@ bool figure_add(Figure *figure, const Screen *screen, const View *view, int pane
         free(panel);
         return false;
     }
-    if (picture->of_moment || panels > 1)
-        caption_of(picture->time, panel->caption, sizeof panel->caption);
+    if (picture->of_moment || panels > 1) { /* "t 0.1200 ms" as "t = 0.12 ms" */
+        const char *number = picture->time + strcspn(picture->time, "0123456789");
+        const char *point = strchr(number, '.');
+        const size_t whole = strspn(number, "0123456789");
+        size_t kept = whole;
+        for (size_t i = 1; point && point[i] >= '0' && point[i] <= '9'; i++)
+            if (point[i] != '0')
+                kept = whole + 1 + i;
+        snprintf(panel->caption, sizeof panel->caption, "t = %.*s%s", (int)kept, number,
+                 number + strspn(number, "0123456789."));
+    }
     if (figure->count == 0) {
         const char *mistake = settings_mistake(settings);
         snprintf(figure->title, sizeof figure->title, "%s%s%s", settings->title,

@@ -30,25 +30,16 @@ bool ink_is_ghost(Style style)
 Pencil ink_pencil(Style style, LineStyle line, char letter)
 {
     static const double earlier[][4] = {{6, 2, 1.2, 2}, {3, 1.5, 3, 1.5}, {8, 2, 8, 2}, {1.2, 1.5, 1.2, 1.5}};
-    Pencil pencil = {.colour = ink_of(style), .width = style == STYLE_MEASURED ? 1.8 : 1.1};
-    if (ink_is_ghost(style) && letter >= 'a' && letter <= 'z') {
-        memcpy(pencil.dashes, earlier[(letter - 'a') % 4], sizeof pencil.dashes);
-        return pencil;
-    }
-    switch (line) {
-    case LINE_SOLID:
-        break;
-    case LINE_DOTTED:
-        pencil.width = 1.3;
-        pencil.round = true;
-        pencil.dashes[0] = 0.01;
-        pencil.dashes[1] = 2.6;
-        break;
-    case LINE_DASHED:
-        pencil.dashes[0] = 4.5;
-        pencil.dashes[1] = 2.2;
-        break;
-    }
+    static const double usual[][4] = {
+        [LINE_SOLID] = {0}, [LINE_DOTTED] = {0.01, 2.6}, [LINE_DASHED] = {4.5, 2.2}};
+    const bool ghost = ink_is_ghost(style) && letter >= 'a' && letter <= 'z';
+    const bool dotted = line == LINE_DOTTED && !ghost;
+    Pencil pencil = {.colour = ink_of(style),
+                     .width = dotted                    ? 1.3
+                              : style == STYLE_MEASURED ? 1.8
+                                                        : 1.1,
+                     .round = dotted};
+    memcpy(pencil.dashes, ghost ? earlier[(letter - 'a') % 4] : usual[line], sizeof pencil.dashes);
     return pencil;
 }
 

@@ -247,8 +247,7 @@ void map_drawing(const Screen *screen, Picture *picture)
     screen_time_text(screen, 0, picture->time, sizeof picture->time);
     picture_heading(picture, "the %s at t = 0", settings->problem->body);
     add_parts(&drawing);
-    /* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  u(0) 3 µm".
-     */
+    /* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  U 3 µm" */
     char text[160];
     const double least = picture->whole ? 0.2 : 1e-9; /* a row is not stretched */
     picture_note(picture, STYLE_NORMAL,
