@@ -9,7 +9,6 @@
 #include "base/kinds.h"
 #include "base/assertion.h"
 #include "base/hash.h"
-#include "problems/problem.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -68,13 +67,11 @@ void parameter_name_alone(const Parameter *parameter, char *out, size_t size)
         out[0] = (char)tolower((unsigned char)out[0]);
 }
 
+static const char narrower[] =
+    "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its stretch";
 const FixedKey fixed_keys[] = {
-    {"beam.poisson", CONCERN_BEAM, BY_PD, "1/3",
-     "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
-     "stretch"},
-    {"plate.poisson", CONCERN_PLATE, BY_PD, "1/3",
-     "bonds pull along their own line alone; a sheet of such springs grows narrower by a third of its "
-     "stretch"},
+    {"beam.poisson", CONCERN_BEAM, BY_PD, "1/3", narrower},
+    {"plate.poisson", CONCERN_PLATE, BY_PD, "1/3", narrower},
     {"scenario.method", CONCERN_NOTCH | CONCERN_PLATE, BY_PD, "pd",
      "nothing breaks by the material point method"},
     {NULL, 0, 0, NULL, NULL},
@@ -134,16 +131,6 @@ bool parameter_applies_to(const Settings *settings, const Parameter *parameter)
            (methods == BY_EVERY_METHOD || methods & 1 << settings->method);
 }
 
-/* The distance of a wrong word from a right one; the right name in a wrong section, or in none, is one slip.
- */
-static size_t slip(const char *right, const char *wrong)
-{
-    const char *right_dot = strchr(right, '.'), *wrong_dot = strchr(wrong, '.');
-    if (right_dot && strcmp(right_dot + 1, wrong_dot ? wrong_dot + 1 : wrong) == 0)
-        return 1;
-    return text_distance(right, wrong);
-}
-
 Nearest nearest_begin(const char *wrong)
 {
     const size_t length = strlen(wrong), share = length / 3;
@@ -152,29 +139,28 @@ Nearest nearest_begin(const char *wrong)
 
 void nearest_offer(Nearest *nearest, const char *right)
 {
-    const size_t distance = slip(right, nearest->wrong);
+    /* the right name in a wrong section, or in none, is one slip */
+    const char *right_dot = strchr(right, '.'), *wrong_dot = strchr(nearest->wrong, '.');
+    const bool slip = right_dot && strcmp(right_dot + 1, wrong_dot ? wrong_dot + 1 : nearest->wrong) == 0;
+    const size_t distance = slip ? 1 : text_distance(right, nearest->wrong);
     if (distance < nearest->too_far)
         nearest->too_far = distance, nearest->word = right;
-}
-
-/* Who leaves the section away means the same. */
-static void offer_key(Nearest *nearest, const char *key)
-{
-    const char *dot = strchr(nearest->wrong, '.') ? NULL : strchr(key, '.');
-    const size_t before = nearest->too_far;
-    nearest_offer(nearest, key);
-    if (dot)
-        nearest_offer(nearest, dot + 1);
-    if (nearest->too_far < before)
-        nearest->word = key;
 }
 
 const char *parameter_nearest(const Problem *problem, const char *key)
 {
     Nearest nearest = nearest_begin(key);
-    for (int i = 0; i < n_parameters; i++)
-        if (parameters[i].concern == CONCERN_NONE || parameter_applies(&parameters[i], problem))
-            offer_key(&nearest, parameters[i].key);
+    for (int i = 0; i < n_parameters; i++) {
+        if (parameters[i].concern != CONCERN_NONE && !parameter_applies(&parameters[i], problem))
+            continue;
+        const char *right = parameters[i].key, *dot = strchr(key, '.') ? NULL : strchr(right, '.');
+        const size_t before = nearest.too_far;
+        nearest_offer(&nearest, right);
+        if (dot) /* who leaves the section away means the same */
+            nearest_offer(&nearest, dot + 1);
+        if (nearest.too_far < before)
+            nearest.word = right;
+    }
     return nearest.word;
 }
 
@@ -223,20 +209,6 @@ bool parameter_can_be_asked(const Parameter *parameter, const Problem *problem)
 
 /* --- values ----------------------------------------------------------------------------------------- */
 
-static const void *member_of(const Settings *settings, size_t offset)
-{
-    return (const char *)settings + offset;
-}
-
-/* --- critical stretch and critical energy --------------------------------------------------------- */
-
-static bool is_energy(const Parameter *parameter)
-{
-    return parameter->offset == VALUE_OFFSET(bonds.critical_energy);
-}
-
-/* --- numbers into members and back ---------------------------------------------------------------- */
-
 void settings_put(Settings *settings, const Parameter *parameter, double value)
 {
     void *at = (char *)settings + parameter->offset;
@@ -258,15 +230,15 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
     }
     if (parameter->wrong)
         settings->concealed = false;
-    if (is_energy(parameter))
-        settings_edit_bonds(settings)->energy_given = true;
+    Bonds *bonds = settings_edit_bonds(settings);
+    if (parameter->offset == VALUE_OFFSET(bonds.critical_energy))
+        bonds->energy_given = true;
     if (parameter->offset == VALUE_OFFSET(bonds.critical_stretch))
-        settings_edit_bonds(settings)->energy_given = false;
+        bonds->energy_given = false;
     if (parameter->offset == VALUE_OFFSET(contact.gap))
         settings_edit_contact(settings)->gap_given = true;
     /* G0 = 9 E delta s0^2 / (4 pi) and back (paper P, two dimensions), conical with 5 pi in place of 4 pi.
      * The one that was given stays as it is. */
-    Bonds *bonds = settings_edit_bonds(settings);
     const int quarters = settings_lattice(settings)->influence == INFLUENCE_CONICAL ? 5 : 4;
     double stiffness = 9 * settings_material(settings)->youngs_modulus * settings_lattice(settings)->horizon /
                        (quarters * M_PI);
@@ -283,7 +255,7 @@ void settings_put(Settings *settings, const Parameter *parameter, double value)
 
 double settings_number(const Settings *settings, const Parameter *parameter)
 {
-    const void *at = member_of(settings, parameter->offset);
+    const void *at = (const char *)settings + parameter->offset;
     int whole;
     switch (parameter->type) {
     case PARAMETER_REAL:
@@ -308,7 +280,8 @@ void settings_default(Settings *settings, const Problem *problem)
     for (int i = 0; i < n_parameters; i++)
         /* the energy follows from the stretch, but where a problem begins with an energy of its own */
         if (parameter_applies(&parameters[i], problem) &&
-            (!is_energy(&parameters[i]) || parameter_use(&parameters[i], problem)))
+            (parameters[i].offset != VALUE_OFFSET(bonds.critical_energy) ||
+             parameter_use(&parameters[i], problem)))
             settings_put(settings, &parameters[i], parameter_in(&parameters[i], problem).usual);
     settings_edit_contact(settings)->gap_given = false;
     settings_default_rows(settings);
@@ -325,7 +298,7 @@ void parameter_cipher(const char *word, char out[CIPHER_MAX])
 static void write_value(const Settings *settings, const Parameter *parameter, int digits, char out[LIST_MAX])
 {
     if (parameter->type == PARAMETER_TEXT) {
-        strcpy(out, member_of(settings, parameter->offset));
+        strcpy(out, (const char *)settings + parameter->offset);
         return;
     }
     const Parameter row = parameter_in(parameter, settings->problem);

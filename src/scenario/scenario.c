@@ -4,7 +4,6 @@
  * line; then the whole is checked. An error gets the line or option that gave the key it names. */
 #include "scenario/scenario.h"
 #include "scenario/rows/rows.h"
-#include "scenario/concern_output.h"
 #include "scenario/settings.h"
 #include "base/input.h"
 #include "base/text.h"
@@ -92,24 +91,6 @@ static int choose(const char *const *words, const Entry *entry, Status *status)
     if (chosen < 0)
         status_refuse(status, "scenario.%s: %.60s is not a choice (%s)", entry->name, entry->value, allowed);
     return chosen;
-}
-
-static bool begin(const Source *source, Settings *settings, Status *status)
-{
-    const Entry *problem = find_entry(source, "scenario", "problem");
-    const char *words[PROBLEMS_MAX + 1] = {NULL};
-    for (int i = 0; i < PROBLEMS_MAX && problems[i]; i++)
-        words[i] = problems[i]->word;
-    int chosen = problem ? choose(words, problem, status) : 0;
-    if (chosen < 0)
-        return at_line(source, problem, status);
-    settings_default(settings, problems[chosen]);
-    const Entry *method = find_entry(source, "scenario", "method");
-    chosen = method ? choose(settings_method_words, method, status) : (int)settings->method;
-    if (chosen < 0)
-        return at_line(source, method, status);
-    settings->method = (MethodKind)chosen;
-    return true;
 }
 
 static bool fill_assignment(Assignment *to, const char *key, const char *value, Status *status)
@@ -249,33 +230,42 @@ static bool find_origin(const Source *source, Status *status)
     return false;
 }
 
-static bool apply(const Source *, Settings *, Status *);
-
-/* Without either it is the first option with which the whole is refused, or the file's last line. */
-static bool blame(const Source *source, Status *status)
-{
-    Settings settings;
-    Source first = *source;
-    if (!status || find_origin(source, status))
-        return false;
-    for (first.n_overrides = 0; first.n_overrides < source->n_overrides; first.n_overrides++)
-        if (!apply(&first, &settings, NULL))
-            break;
-    if (first.n_overrides > 0)
-        return status_prefix(status, "%s", source->overrides[first.n_overrides - 1].origin);
-    return at_line(source, &source->entries.all[source->entries.count - 1], status);
-}
-
+/* False: the settings are of no use. */
 static bool apply(const Source *source, Settings *settings, Status *status)
 {
-    if (!check_twice(source, status) || !begin(source, settings, status))
+    if (!check_twice(source, status))
         return false;
+    const Entry *problem = find_entry(source, "scenario", "problem");
+    const char *words[PROBLEMS_MAX + 1] = {NULL};
+    for (int i = 0; i < PROBLEMS_MAX && problems[i]; i++)
+        words[i] = problems[i]->word;
+    int chosen = problem ? choose(words, problem, status) : 0;
+    if (chosen < 0)
+        return at_line(source, problem, status);
+    settings_default(settings, problems[chosen]);
+    const Entry *method = find_entry(source, "scenario", "method");
+    chosen = method ? choose(settings_method_words, method, status) : (int)settings->method;
+    if (chosen < 0)
+        return at_line(source, method, status);
+    settings->method = (MethodKind)chosen;
+
     for (int i = 0; i < source->entries.count; i++)
         if (!take_entry(&source->entries.all[i], settings, status))
             return at_line(source, &source->entries.all[i], status);
     if (!take_overrides(source, settings, status))
         return false;
-    return settings_check(settings, status) || blame(source, status);
+    if (settings_check(settings, status))
+        return true;
+    if (!status || find_origin(source, status))
+        return false;
+    /* without either it is the first option with which the whole is refused, or the file's last line */
+    Source first = *source;
+    for (first.n_overrides = 0; first.n_overrides < source->n_overrides; first.n_overrides++)
+        if (!apply(&first, settings, NULL))
+            break;
+    if (first.n_overrides > 0)
+        return status_prefix(status, "%s", source->overrides[first.n_overrides - 1].origin);
+    return at_line(source, &source->entries.all[source->entries.count - 1], status);
 }
 
 /* --- files and built-ins -------------------------------------------------------------------------- */
@@ -303,19 +293,6 @@ const BuiltinScenario *scenario_builtin(const char *name)
         if (strcmp(builtin->name, name) == 0)
             return builtin;
     return NULL;
-}
-
-static bool not_found(const char *name, Status *status)
-{
-    Nearest nearest = nearest_begin(name);
-    if (errno != ENOENT)
-        return false; /* the status says why */
-    for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
-        nearest_offer(&nearest, builtin->name);
-    return status_refuse(status,
-                         nearest.word ? "%s: no such scenario or file (did you mean %s?)"
-                                      : "%s: no such scenario or file (see: matvib list)",
-                         name, nearest.word);
 }
 
 /* NULL: as input_open() has it. */
@@ -348,8 +325,17 @@ bool scenario_load_with(const char *name_or_path, const Override *overrides, int
                         Status *status)
 {
     FILE *stream = open_scenario(name_or_path, status);
-    if (!stream)
-        return not_found(name_or_path, status);
+    if (!stream && errno != ENOENT)
+        return false; /* the status says why */
+    if (!stream) {
+        Nearest nearest = nearest_begin(name_or_path);
+        for (const BuiltinScenario *builtin = builtin_scenarios; builtin->name; builtin++)
+            nearest_offer(&nearest, builtin->name);
+        return status_refuse(status,
+                             nearest.word ? "%s: no such scenario or file (did you mean %s?)"
+                                          : "%s: no such scenario or file (see: matvib list)",
+                             name_or_path, nearest.word);
+    }
     bool good = read_with(stream, name_or_path, overrides, count, settings, status);
     fclose(stream);
     return good;

@@ -39,17 +39,6 @@ static bool fail_about(Reader *reader, const char *subject, const char *what)
 
 enum { RAW_MAX = 1000 }; /* bytes of a line with its comment */
 
-/* A tab is as good as a space; anything else that is not text is refused. */
-static bool clean_line(Reader *reader, char *raw)
-{
-    for (char *c = raw; *c; c++)
-        if (*c == '\t')
-            *c = ' ';
-    if (visible_is_clean(raw))
-        return true;
-    return fail(reader, "bytes that are not text", "UTF-8 without control characters");
-}
-
 /* --- what a line is ------------------------------------------------------------------------------- */
 
 static size_t word_length(const char *text)
@@ -80,26 +69,6 @@ bool scenario_may_continue(const char *section, const char *name)
 }
 
 /* --- entries -------------------------------------------------------------------------------------- */
-
-static bool add_entry(Reader *reader, const char *name, const char *value)
-{
-    Entries *entries = reader->entries;
-    if (entries->count == entries->room) {
-        int room = entries->room ? 2 * entries->room : 32;
-        Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
-        if (!all)
-            return status_fail(reader->status, "not enough memory for %s", reader->file);
-        entries->all = all;
-        entries->room = room;
-    }
-    Entry *entry = &entries->all[entries->count++];
-    memset(entry, 0, sizeof *entry);
-    entry->line = entries->lines;
-    snprintf(entry->section, sizeof entry->section, "%s", reader->section);
-    snprintf(entry->name, sizeof entry->name, "%.*s", KEY_MAX - 1, name);
-    snprintf(entry->value, sizeof entry->value, "%s", value);
-    return true;
-}
 
 static bool accept_section(Reader *reader, const char *line)
 {
@@ -141,7 +110,22 @@ static bool accept_key(Reader *reader, const char *line)
         return fail_about(reader, name,
                           "the value begins like a comment (a space before # or ; makes it one)");
     reader->may_continue = scenario_may_continue(reader->section, name);
-    return add_entry(reader, name, equals + 1 + strspn(equals + 1, " "));
+    Entries *entries = reader->entries;
+    if (entries->count == entries->room) {
+        int room = entries->room ? 2 * entries->room : 32;
+        Entry *all = realloc(entries->all, (size_t)room * sizeof *all);
+        if (!all)
+            return status_fail(reader->status, "not enough memory for %s", reader->file);
+        entries->all = all;
+        entries->room = room;
+    }
+    Entry *entry = &entries->all[entries->count++];
+    memset(entry, 0, sizeof *entry);
+    entry->line = entries->lines;
+    snprintf(entry->section, sizeof entry->section, "%s", reader->section);
+    snprintf(entry->name, sizeof entry->name, "%.*s", KEY_MAX - 1, name);
+    snprintf(entry->value, sizeof entry->value, "%s", equals + 1 + strspn(equals + 1, " "));
+    return true;
 }
 
 static bool accept_indented(Reader *reader, const char *text)
@@ -165,17 +149,6 @@ static bool accept_indented(Reader *reader, const char *text)
     return true;
 }
 
-static bool accept_line(Reader *reader, const char *line)
-{
-    if (strlen(line) > SCENARIO_LINE_MAX)
-        return fail(reader, "the line is too long", "at most 190 bytes");
-    if (!*line)
-        return true;
-    return (*line == ' '   ? accept_indented(reader, line + strspn(line, " "))
-            : *line == '[' ? accept_section(reader, line)
-                           : accept_key(reader, line));
-}
-
 /* --- the whole file --------------------------------------------------------------------------------- */
 
 bool entries_read(Entries *entries, FILE *stream, const char *file, Status *status)
@@ -189,8 +162,11 @@ bool entries_read(Entries *entries, FILE *stream, const char *file, Status *stat
         entries->lines = (int)lines.number;
         if (entries->lines > SCENARIO_LINES_MAX)
             return fail(&reader, "too many lines for a scenario", "at most 5000");
-        if (!clean_line(&reader, raw))
-            return false;
+        /* a tab is as good as a space; anything else that is not text is refused */
+        for (char *tab = raw; (tab = strchr(tab, '\t'));)
+            *tab = ' ';
+        if (!visible_is_clean(raw))
+            return fail(&reader, "bytes that are not text", "UTF-8 without control characters");
         /* Cuts the comment and the spaces at the end. */
         for (char *c = raw; *c; c++)
             if ((*c == '#' || *c == ';') && (c == raw || c[-1] == ' ')) {
@@ -200,7 +176,11 @@ bool entries_read(Entries *entries, FILE *stream, const char *file, Status *stat
         size_t n = strlen(raw);
         while (n > 0 && raw[n - 1] == ' ')
             raw[--n] = '\0';
-        if (!accept_line(&reader, raw))
+        if (n > SCENARIO_LINE_MAX)
+            return fail(&reader, "the line is too long", "at most 190 bytes");
+        if (n > 0 && !(*raw == ' '   ? accept_indented(&reader, raw + strspn(raw, " "))
+                       : *raw == '[' ? accept_section(&reader, raw)
+                                     : accept_key(&reader, raw)))
             return false;
     }
     if (got == INPUT_WRONG)

@@ -111,23 +111,6 @@ static bool is_of_method(const Parameter *parameter)
     return parameter->offset == offsetof(Settings, method);
 }
 
-static bool write_parameter(FILE *stream, const Settings *settings, const Parameter *parameter,
-                            const char *section, const char *name, Status *status)
-{
-    char value[LIST_MAX];
-    if (parameter->type == PARAMETER_TEXT)
-        return write_text(stream, section, name, text_of(settings, parameter), status);
-    if (is_of_method(parameter))
-        fprintf(stream, "problem = %s\n", settings->problem->word);
-    settings_get(settings, parameter, value);
-    if (is_derived(settings, parameter)) {
-        fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
-        return true;
-    }
-    fprintf(stream, "%s =%s%s\n", name, *value ? " " : "", value);
-    return true;
-}
-
 static bool is_written(const Settings *settings, const Parameter *parameter)
 {
     return parameter->concern == CONCERN_NONE
@@ -138,10 +121,23 @@ static bool is_written(const Settings *settings, const Parameter *parameter)
 static bool write_section(FILE *stream, const Settings *settings, const char *section, Status *status)
 {
     for (int i = 0; i < n_parameters; i++) {
-        const char *name = name_in(parameters[i].key, section);
-        if (name && is_written(settings, &parameters[i]) &&
-            !write_parameter(stream, settings, &parameters[i], section, name, status))
-            return false;
+        const Parameter *parameter = &parameters[i];
+        const char *name = name_in(parameter->key, section);
+        char value[LIST_MAX];
+        if (!name || !is_written(settings, parameter))
+            continue;
+        if (parameter->type == PARAMETER_TEXT) {
+            if (!write_text(stream, section, name, text_of(settings, parameter), status))
+                return false;
+            continue;
+        }
+        if (is_of_method(parameter))
+            fprintf(stream, "problem = %s\n", settings->problem->word);
+        settings_get(settings, parameter, value);
+        if (is_derived(settings, parameter))
+            fprintf(stream, "# %s = %s%s%s\n", name, value, *parameter->unit ? " " : "", parameter->unit);
+        else
+            fprintf(stream, "%s =%s%s\n", name, *value ? " " : "", value);
     }
     const int kind = row_kind_find(section);
     if (kind >= 0 && settings_have_rows(settings, kind)) {
@@ -181,21 +177,14 @@ static bool has_section(const Settings *settings, const char *section)
     return false;
 }
 
-static void write_comment(FILE *stream, const char *comment)
+bool scenario_write(FILE *stream, const Settings *settings, const char *comment, Status *status)
 {
+    bool first = !comment || !*comment;
     while (comment && *comment) {
         size_t n = strcspn(comment, "\n");
         fprintf(stream, "#%s%.*s\n", n ? " " : "", (int)n, comment);
-        comment += n;
-        if (*comment == '\n')
-            comment++;
+        comment += n + (comment[n] == '\n');
     }
-}
-
-bool scenario_write(FILE *stream, const Settings *settings, const char *comment, Status *status)
-{
-    write_comment(stream, comment);
-    bool first = !comment || !*comment;
     for (const char *const *section = scenario_sections; *section; section++) {
         if (!has_section(settings, *section))
             continue;
@@ -236,13 +225,6 @@ static void compare_rows(const Settings *from, const Settings *to, AssignmentTak
     }
 }
 
-static bool is_changed(const Settings *from, const Settings *to, const Parameter *parameter)
-{
-    return !parameter->output && !is_of_method(parameter) && parameter_applies_to(to, parameter) &&
-           !is_derived(to, parameter) && !(parameter->wrong && to->concealed) &&
-           (settings_differ(from, to, parameter) || is_derived(from, parameter));
-}
-
 bool scenario_assignments(const char *name_or_path, const Settings *to, AssignmentTaker *take, void *context)
 {
     Settings from;
@@ -255,12 +237,16 @@ bool scenario_assignments(const char *name_or_path, const Settings *to, Assignme
         if (!scenario_load_with(name_or_path, &method, 1, &from, &ignored))
             return false;
     }
-    for (int i = 0; i < n_parameters; i++)
-        if (is_changed(&from, to, &parameters[i])) {
-            char value[LIST_MAX];
-            settings_get(to, &parameters[i], value);
-            take(context, parameters[i].key, value);
-        }
+    for (int i = 0; i < n_parameters; i++) {
+        const Parameter *parameter = &parameters[i];
+        char value[LIST_MAX];
+        if (parameter->output || is_of_method(parameter) || !parameter_applies_to(to, parameter) ||
+            is_derived(to, parameter) || (parameter->wrong && to->concealed) ||
+            !(settings_differ(&from, to, parameter) || is_derived(&from, parameter)))
+            continue;
+        settings_get(to, parameter, value);
+        take(context, parameter->key, value);
+    }
     compare_rows(&from, to, take, context);
     return true;
 }

@@ -13,20 +13,7 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-
-/* --- question, duel, changes ---------------------------------------------------------------------- */
-
-static bool check_question(const Settings *settings, Status *status)
-{
-    if (!*settings->question)
-        return true;
-    const Parameter *parameter = parameter_find(settings->question);
-    if (!parameter || !parameter_can_be_asked(parameter, settings->problem))
-        return status_refuse(
-            status, "question.key: %s cannot be toggled (a key of problem %s that has choices, or a size)",
-            settings->question, settings->problem->word);
-    return true;
-}
+#include <strings.h>
 
 static bool check_changes(const Settings *settings, Status *status)
 {
@@ -91,7 +78,7 @@ bool settings_change(Settings *settings, const char *key, const char *text, Stat
     return true;
 }
 
-static bool settings_check_asked(const Settings *settings, Status *status)
+static bool check_asked(const Settings *settings, Status *status)
 {
     const char *list = settings_view(settings)->ask;
     char key[KEY_MAX];
@@ -126,7 +113,12 @@ bool settings_check(const Settings *settings, Status *status)
                              times[n_times - 1], settings_time(settings)->end);
     if (n_times > 0 && settings_output(settings)->frames > 0)
         return status_refuse(status, "output.at: output.frames is given too (one of them)");
-    if (!(check_question(settings, status) && settings_check_asked(settings, status)))
+    const Parameter *question = parameter_find(settings->question);
+    if (*settings->question && !(question && parameter_can_be_asked(question, settings->problem)))
+        return status_refuse(
+            status, "question.key: %s cannot be toggled (a key of problem %s that has choices, or a size)",
+            settings->question, settings->problem->word);
+    if (!check_asked(settings, status))
         return false;
 
     /* The settings of the other run must be as sound as those of the first. */
@@ -194,36 +186,16 @@ int settings_asked(const Settings *settings, Asked out[ASKED_MAX])
 /* How a key may be called; each in turn, the first by which there is one. */
 typedef enum Call { CALL_WHOLE, CALL_NAME, CALL_END, CALL_LABEL, CALLS } Call;
 
-/* Whether the word ends the key, behind a mark. */
-static bool ends_with(const char *key, const char *word, const char *marks)
-{
-    const size_t length = strlen(key), end = strlen(word);
-    return length > end && end > 0 && strchr(marks, key[length - end - 1]) &&
-           strcmp(key + length - end, word) == 0;
-}
-
 static bool is_called(const char *key, const char *label, const char *words, Call call)
 {
-    switch (call) {
-    case CALL_WHOLE:
+    if (call == CALL_WHOLE)
         return strcmp(key, words) == 0;
-    case CALL_NAME:
-        return ends_with(key, words, ".");
-    case CALL_END:
-        return ends_with(key, words, "_");
-    case CALL_LABEL:
-    case CALLS:
-        break;
-    }
-    /* "CELL SIZE" is "cell size". */
-    const char *a = label;
-    const char *b = words;
-    if (!label)
-        return false;
-
-    while (*a && tolower((unsigned char)*a) == tolower((unsigned char)*b))
-        a++, b++;
-    return !*a && !*b;
+    if (call == CALL_LABEL) /* "CELL SIZE" is "cell size" */
+        return label && strcasecmp(label, words) == 0;
+    /* whether the words end the key, behind a mark */
+    const size_t length = strlen(key), end = strlen(words);
+    return length > end && end > 0 && key[length - end - 1] == (call == CALL_NAME ? '.' : '_') &&
+           strcmp(key + length - end, words) == 0;
 }
 
 bool settings_resolve_key(const Settings *settings, const char *words, char key[KEY_MAX], Status *status)
@@ -249,19 +221,6 @@ bool settings_resolve_key(const Settings *settings, const char *words, char key[
 
 /* What one set of settings is as against another. */
 
-/* What a run writes does not make it another run; of critical stretch and critical energy only the given one
- * counts.
- */
-static bool matters(const Settings *a, const Settings *b, const Parameter *parameter)
-{
-    if (parameter->output || !parameter_applies_to(a, parameter) || !parameter_applies_to(b, parameter))
-        return false;
-    bool by_energy = settings_bonds(a)->energy_given && settings_bonds(b)->energy_given;
-    if (parameter->offset == VALUE_OFFSET(bonds.critical_energy))
-        return by_energy;
-    return parameter->offset != VALUE_OFFSET(bonds.critical_stretch) || !by_energy;
-}
-
 bool settings_differ(const Settings *a, const Settings *b, const Parameter *parameter)
 {
     char one[LIST_MAX], other[LIST_MAX];
@@ -270,9 +229,15 @@ bool settings_differ(const Settings *a, const Settings *b, const Parameter *para
     return strcmp(one, other) != 0;
 }
 
+/* What a run writes does not make it another run; of critical stretch and critical energy only the given one
+ * counts. */
 static bool differ_in(const Settings *a, const Settings *b, const Parameter *parameter)
 {
-    return matters(a, b, parameter) && settings_differ(a, b, parameter);
+    const bool by_energy = settings_bonds(a)->energy_given && settings_bonds(b)->energy_given;
+    const size_t ignored =
+        by_energy ? VALUE_OFFSET(bonds.critical_stretch) : VALUE_OFFSET(bonds.critical_energy);
+    return !parameter->output && parameter->offset != ignored && parameter_applies_to(a, parameter) &&
+           parameter_applies_to(b, parameter) && settings_differ(a, b, parameter);
 }
 
 bool settings_changes_same(const Settings *a, const Settings *b)

@@ -136,16 +136,6 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
     return value;
 }
 
-/* A length of the bar's lattice that was left to itself is nudged from what it comes to. */
-static double nudge_start(const Settings *settings, const Parameter *parameter)
-{
-    if (parameter->offset == VALUE_OFFSET(lattice.spacing))
-        return lattice_spacing(settings);
-    if (parameter->offset == VALUE_OFFSET(lattice.horizon))
-        return lattice_horizon(settings);
-    return settings_number(settings, parameter);
-}
-
 bool settings_nudge(Settings *settings, const Parameter *parameter, int direction, bool fine)
 {
     ASSERT(direction == 1 || direction == -1);
@@ -156,7 +146,12 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
         settings_put(settings, parameter, parameter->neutral);
         return true;
     }
-    double start = nudge_start(settings, parameter), value = start;
+    /* a length of the bar's lattice that was left to itself is nudged from what it comes to */
+    const double start = parameter->offset == VALUE_OFFSET(lattice.spacing) ? lattice_spacing(settings)
+                         : parameter->offset == VALUE_OFFSET(lattice.horizon)
+                             ? lattice_horizon(settings)
+                             : settings_number(settings, parameter);
+    double value = start;
     const double word = parameter->automatic_value;
     if (word != 0 && (start == word ? direction > 0 : start == 0 && direction < 0)) { /* it stands below 0 */
         settings_put(settings, parameter, start == word ? 0 : word);
@@ -202,26 +197,20 @@ bool settings_row_nudge(Settings *settings, const RowPlace *place, int direction
 
 /* --- questions ------------------------------------------------------------------------------------ */
 
-/* A size: one rung below the usual one and, from anywhere else, back to it. */
-static bool answer_by_size(Settings *settings, const Parameter *parameter)
-{
-    const double usual = parameter_in(parameter, settings->problem).usual;
-    if (settings_number(settings, parameter) == usual)
-        return settings_nudge(settings, parameter, -1, false);
-    Settings candidate = *settings;
-    settings_put(&candidate, parameter, usual);
-    if (!settings_check(&candidate, NULL))
-        return false;
-    *settings = candidate;
-    return true;
-}
-
 bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
 {
     char now[LIST_MAX];
-    if (parameter_is_size(parameter))
-        return answer_by_size(settings, parameter);
     const Parameter row = parameter_in(parameter, settings->problem);
+    if (parameter_is_size(parameter)) { /* one rung below the usual one and, from anywhere else, back to it */
+        if (settings_number(settings, parameter) == row.usual)
+            return settings_nudge(settings, parameter, -1, false);
+        Settings candidate = *settings;
+        settings_put(&candidate, parameter, row.usual);
+        if (!settings_check(&candidate, NULL))
+            return false;
+        *settings = candidate;
+        return true;
+    }
     for (int i = 0; i < row.n_choices; i++) {
         const char *usual = row.choices[(int)row.usual];
         if (strcmp(parameter->choices[i], "none") != 0 || strcmp(usual, "none") == 0)

@@ -12,11 +12,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static bool has_names(const RowKind *kind)
-{
-    return !kind->usual;
-}
-
 int row_kind_find(const char *section)
 {
     for (int kind = 0; kind < ROW_KINDS; kind++)
@@ -57,7 +52,7 @@ static void key_of(const RowKind *kind, const char *name, char out[KEY_MAX])
 static bool check_name(const RowKind *kind, const char *name, const char *about, Status *status)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-    if (!has_names(kind))
+    if (kind->usual)
         return !*name || status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
     if (kind->plain_names && !(*name >= 'a' && *name <= 'z' && !strpbrk(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ-")))
         return status_refuse(
@@ -105,29 +100,24 @@ static bool row_missing(const Settings *settings, int index, const char *name, S
                          *there ? there : "none at all");
 }
 
-/* Of a row that goes nothing is asked any more. */
-static void forget_asked(Settings *settings, const RowKind *kind, const char *name)
-{
-    char *ask = settings_edit_view(settings)->ask, key[KEY_MAX], kept[LIST_MAX] = "", gone[KEY_MAX];
-    const char *list = ask;
-    const int length = snprintf(gone, sizeof gone, "%s.%s", kind->section, name);
-    while (text_next_item(&list, key, sizeof key))
-        if (strncmp(key, gone, (size_t)length) != 0 || !strchr(".", key[length]))
-            text_list_add(kept, sizeof kept, key);
-    strcpy(ask, kept);
-}
-
 bool settings_row_remove(Settings *settings, int index, const char *name, Status *status)
 {
     ASSERT_INDEX(index, ROW_KINDS);
     RowList *list = &settings->rows[index];
     const int at = settings_row_find(settings, index, name);
-    if (!has_names(&row_kinds[index]))
+    if (row_kinds[index].usual)
         return status_refuse(status, "%s: cannot be left out (%s)", row_kinds[index].section,
                              row_kinds[index].form);
     if (at < 0)
         return row_missing(settings, index, name, status);
-    forget_asked(settings, &row_kinds[index], name);
+    /* of a row that goes nothing is asked any more */
+    char *ask = settings_edit_view(settings)->ask, key[KEY_MAX], kept[LIST_MAX] = "", gone[KEY_MAX];
+    const char *asked = ask;
+    const int length = snprintf(gone, sizeof gone, "%s.%s", row_kinds[index].section, name);
+    while (text_next_item(&asked, key, sizeof key))
+        if (strncmp(key, gone, (size_t)length) != 0 || !strchr(".", key[length]))
+            text_list_add(kept, sizeof kept, key);
+    strcpy(ask, kept);
     memmove(&list->rows[at], &list->rows[at + 1], (size_t)(list->count - at - 1) * sizeof *list->rows);
     memset(&list->rows[--list->count], 0, sizeof *list->rows);
     return true;
@@ -205,8 +195,7 @@ static bool cut_key(const char *key, RowKey *out)
 {
     *out = (RowKey){0};
     out->kind = kind_of(&key);
-    return out->kind >= 0 &&
-           (!has_names(&row_kinds[out->kind]) || next_part(&key, out->name, sizeof out->name)) &&
+    return out->kind >= 0 && (row_kinds[out->kind].usual || next_part(&key, out->name, sizeof out->name)) &&
            next_part(&key, out->value, sizeof out->value) && !*key;
 }
 
@@ -259,12 +248,11 @@ bool settings_row_key_set(Settings *settings, const char *key, const char *text,
     RowKey at;
     if (!cut_key(key, &at)) {
         const char *rest = key;
-        const int index = kind_of(&rest);
-        if (index < 0)
+        const int kind = kind_of(&rest);
+        if (kind < 0)
             return status_refuse(status, "%s: no such rows", key);
-        const RowKind *kind = &row_kinds[index];
         return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", key,
-                             kind->one, ROW_NAME_MAX - 1);
+                             row_kinds[kind].one, ROW_NAME_MAX - 1);
     }
     if (*at.value)
         return set_value(settings, &at, key, text, status);
@@ -428,39 +416,32 @@ bool settings_row_place_set(Settings *settings, const RowPlace *place, const cha
 
 /* The rows of settings as a whole: do they lie on the plate, and how do they differ from others? */
 
-/* --- on the plate --------------------------------------------------------------------------------- */
-
-static bool check_value(const Settings *settings, int kind, int row, int column, const char *about,
-                        Status *status)
-{
-    const RowColumn *what = &row_kinds[kind].columns[column];
-    if (!row_has(&row_kinds[kind], &settings->rows[kind].rows[row], column) ||
-        (what->value != ROW_ALONG_X && what->value != ROW_ALONG_Y && what->value != ROW_ALONG_EDGE))
-        return true;
-    const char *key;
-    const double whole = row_whole(settings, &settings->rows[kind].rows[row], what->value, &key);
-    const double value = settings_row_value(settings, kind, row, column);
-    /* where a row has no name, its values are the keys of the file */
-    return value <= whole * (1 + 1e-9) || status_refuse(status, "%s%s%s = %g is off the %s (0 to %s = %g)",
-                                                        about, row_kinds[kind].usual ? "." : ": ", what->word,
-                                                        value, row_whole_word(&row_kinds[kind]), key, whole);
-}
-
 bool settings_rows_check(const Settings *settings, Status *status)
 {
-    for (int kind = 0; kind < ROW_KINDS; kind++)
-        for (int row = 0; settings_have_rows(settings, kind) && row < settings->rows[kind].count; row++) {
+    for (int index = 0; index < ROW_KINDS; index++)
+        for (int i = 0; settings_have_rows(settings, index) && i < settings->rows[index].count; i++) {
+            const RowKind *kind = &row_kinds[index];
+            const Row *row = &settings->rows[index].rows[i];
             char about[KEY_MAX];
-            const char *name = settings->rows[kind].rows[row].name;
-            snprintf(about, sizeof about, "%s%s%s", row_kinds[kind].section, *name ? "." : "", name);
-            for (int column = 0; column < row_kinds[kind].n_columns; column++)
-                if (!check_value(settings, kind, row, column, about, status))
-                    return false;
+            key_of(kind, row->name, about);
+            for (int column = 0; column < kind->n_columns; column++) {
+                const RowColumn *what = &kind->columns[column];
+                if (!row_has(kind, row, column) ||
+                    (what->value != ROW_ALONG_X && what->value != ROW_ALONG_Y &&
+                     what->value != ROW_ALONG_EDGE))
+                    continue;
+                const char *key;
+                const double whole = row_whole(settings, row, what->value, &key);
+                const double value = settings_row_value(settings, index, i, column);
+                if (!(value <=
+                      whole * (1 + 1e-9))) /* where a row has no name, its values are the file's keys */
+                    return status_refuse(status, "%s%s%s = %g is off the %s (0 to %s = %g)", about,
+                                         kind->usual ? "." : ": ", what->word, value, row_whole_word(kind),
+                                         key, whole);
+            }
         }
     return true;
 }
-
-/* --- differences ---------------------------------------------------------------------------------- */
 
 static void write_side(const RowKind *kind, const Row *row, const Row *other, char out[ROW_TEXT_MAX])
 {
