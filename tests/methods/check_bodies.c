@@ -336,6 +336,41 @@ START_TEST(contact_is_written_out)
 }
 END_TEST
 
+/* A particle on a node has no slope there, and weight all the same. */
+START_TEST(weight_is_in_the_sum_of_forces)
+{
+    MpmDef def = bodies_default();
+    def.n_bodies = 1;
+    def.bodies[0] = (BodyDef){"block", BODY_BLOCK, {.2, .2, .25, .25}, {0, 0}, 0, 0};
+    def.shape = MPM_BSPLINE2;
+    def.particles_per_cell = 1;
+    def.cell_size = .05;
+    def.gravity[1] = -2;
+    Simulation *sim = create(&def);
+    Mpm *mpm = mpm_of(sim);
+    ck_assert_int_eq(mpm->n_particles, 1);
+    double *x = field_now(sim, 1, "x"), *y = field_now(sim, 1, "y");
+    size_t node = 0;
+    while (fabs(x[node] - .2) > 1e-9 || fabs(y[node] - .2) > 1e-9)
+        node++;
+    double *px = field_now(sim, 0, "x"), *py = field_now(sim, 0, "y");
+    mpm->u[0][0] += x[node] - *px;
+    mpm->u[1][0] += y[node] - *py;
+    unsigned char *state = snapshot_now(sim);
+    simulation_restore(sim, state);
+    Status status = {0};
+    const int force = simulation_find_stage(sim, "force");
+    while (sim->stage <= force)
+        ck_assert(simulation_stage(sim, &status));
+    char text[4000];
+    sim->method->explain(sim, force, MPM_NODES, node, NULL, 0, text, sizeof text);
+    ck_assert_msg(strstr(text, "-1125") && strstr(text, "= -2.8125"), "%s",
+                  text); /* m g N, 1000 × 2 × .75² */
+    free(x), free(y), free(px), free(py), free(state);
+    simulation_destroy(sim);
+}
+END_TEST
+
 /* --- bits --------------------------------------------------------------------------------------------- */
 
 static void expect_same(const Simulation *a, const Simulation *b, const char *when)
@@ -504,6 +539,7 @@ void add_cases(Suite *suite)
     tcase_add_test(test, touches_are_events);
     tcase_add_test(test, a_wall_is_touched_and_left);
     tcase_add_test(test, a_tear_is_told);
+    tcase_add_test(test, weight_is_in_the_sum_of_forces);
     tcase_add_loop_test(test, contact_is_written_out, 0, 2);
     tcase_add_loop_test(test, rewound_and_sliced, 0, 18);
     tcase_add_loop_test(test, any_number_of_threads, 0, 3);

@@ -45,11 +45,6 @@ static void write_change(const Subject *subject, const char *label, const double
 
 /* --- what is exchanged ------------------------------------------------------------------------------ */
 
-static bool has_slope(MpmTerm term)
-{
-    return term == TERM_STRESS || term == TERM_STRAIN || term == TERM_SHEAR;
-}
-
 /* "p13 = 0.5 × (0.2 × 0.3 + ...) = 0.1" */
 static void write_taken(const Subject *subject, int exchange)
 {
@@ -62,8 +57,11 @@ static void write_taken(const Subject *subject, int exchange)
     CalculationSum sum = {.label = label, .scale = share != 1 ? share : 0};
     Link links[LINKS_MAX];
     size_t count = 0;
+    const bool has_slope = of->term == TERM_STRESS || of->term == TERM_STRAIN || of->term == TERM_SHEAR;
+    const bool has_weight = !has_slope || (of->term == TERM_STRESS && mpm->bodies); /* of bodies in f */
     for (const Link *link = subject->links; link < subject->links + subject->n_links; link++)
-        if (has_slope(of->term) ? link->gradient[0] != 0 || link->gradient[1] != 0 : link->weight != 0)
+        if ((has_slope && (link->gradient[0] != 0 || link->gradient[1] != 0)) ||
+            (has_weight && link->weight != 0))
             links[count++] = *link;
     calculation_exchange(subject->to, &sum, &mpm->sim, exchange, (size_t)subject->index, links, count);
 }
