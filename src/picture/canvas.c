@@ -195,15 +195,11 @@ char *canvas_dump_styles(const Canvas *canvas)
 
 /* --- text and glyphs in a part of it -------------------------------------------------------------- */
 
-static int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
 Area area_part(Area area, int x, int y, int width, int height)
 {
     const Rect whole = area.rect;
-    int right = least(x + width, whole.width), bottom = least(y + height, whole.height);
+    const int right = x + width < whole.width ? x + width : whole.width;
+    const int bottom = y + height < whole.height ? y + height : whole.height;
     x = x > 0 ? x : 0;
     y = y > 0 ? y : 0;
     area.rect = (Rect){whole.x + x, whole.y + y, right > x ? right - x : 0, bottom > y ? bottom - y : 0};

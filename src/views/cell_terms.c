@@ -45,12 +45,14 @@ static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing
                                            : strlen(both[0]->factors) > strlen(both[1]->factors);
 }
 
-static void take_flows(CellTerms *terms, const char *stage)
+void cell_terms_find(CellTerms *terms, const Stage *stage, size_t most)
 {
     const Simulation *sim = terms->sim;
-    for (int e = 0; e < sim->n_exchanges && terms->n_flows < PICTURE_ARROW_LINES; e++) {
+    const size_t count = sim->method->links(sim, terms->set, terms->index, terms->links, CELL_LINKS_MAX);
+    terms->n_links = count < CELL_LINKS_MAX ? count : CELL_LINKS_MAX;
+    for (int e = 0; stage && e < sim->n_exchanges && terms->n_flows < PICTURE_ARROW_LINES; e++) {
         Flowing flow;
-        if (strcmp(sim->exchanges[e].stage, stage) != 0 || !take_flow(terms, e, &flow))
+        if (strcmp(sim->exchanges[e].stage, stage->id) != 0 || !take_flow(terms, e, &flow))
             continue;
         int at = terms->n_flows++;
         for (; at > 0 && is_before(terms, &flow, &terms->flows[at - 1]); at--)
@@ -58,15 +60,6 @@ static void take_flows(CellTerms *terms, const char *stage)
         terms->flows[at] = flow;
         terms->to_nodes = flow.exchange->to == 1;
     }
-}
-
-void cell_terms_find(CellTerms *terms, const Stage *stage, size_t most)
-{
-    const size_t count =
-        terms->sim->method->links(terms->sim, terms->set, terms->index, terms->links, CELL_LINKS_MAX);
-    terms->n_links = count < CELL_LINKS_MAX ? count : CELL_LINKS_MAX;
-    if (stage)
-        take_flows(terms, stage->id);
     /* the largest first: what finds no room is the smallest */
     for (size_t i = 0; i < terms->n_links; i++) {
         const double *by = terms->n_flows > 0 ? terms->flows[0].terms : NULL;

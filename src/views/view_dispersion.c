@@ -94,11 +94,8 @@ static void waves_plane_describe(const Screen *screen, bool transverse, Picture 
 /* One run in the picture, in a duel with its letter; ghosts are rings. */
 static PictureMark dot_of(const ShownRun *run, double x, double y)
 {
-    return (PictureMark){.x = x,
-                         .y = y,
-                         .glyph = run->experiment ? 0x25cf : 0x25cb,
-                         .letter = run->letter,
-                         .style = run->experiment ? run->style : STYLE_NORMAL};
+    return (PictureMark){x, y, run->experiment ? 0x25cf : 0x25cb, run->experiment ? run->style : STYLE_NORMAL,
+                         .letter = run->letter};
 }
 
 static void widen(double value, double *least, double *most)

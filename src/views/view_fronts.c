@@ -12,11 +12,6 @@
 enum { VARIANT_SPEED, VARIANT_ADVANCE };
 enum { SHOWN_MAX = 15, NAME_BYTES = 32 }; /* curves, and what a legend says of each */
 
-static int shown_of(const CrackFronts *fronts)
-{
-    return fronts->count < SHOWN_MAX ? fronts->count : SHOWN_MAX;
-}
-
 static const char *word_of(const Screen *screen, int variant)
 {
     static const char *const words[] = {[VARIANT_SPEED] = "speed", [VARIANT_ADVANCE] = "advance", NULL};
@@ -33,18 +28,16 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         return;
     }
     const double rayleigh = crack_rayleigh_speed(screen_settings(screen));
+    const int shown = fronts->count < SHOWN_MAX ? fronts->count : SHOWN_MAX;
     double most = speeds ? rayleigh : 0;
-    for (int f = 0; f < fronts->count; f++) {
-        const CrackFront *front = &fronts->fronts[f];
-        const double value = variant == VARIANT_SPEED ? front->fastest : front->advance;
-        most = fmax(most, value);
-    }
+    for (int f = 0; f < fronts->count; f++)
+        most = fmax(most, speeds ? fronts->fronts[f].fastest : fronts->fronts[f].advance);
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
                    speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");
     /* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a
      * name. */
     char name[NAME_BYTES];
-    for (int f = 0; f < shown_of(fronts) && fronts->count > 1; f++) {
+    for (int f = 0; f < shown && fronts->count > 1; f++) {
         snprintf(name, sizeof name, "%c %s", 'a' + f, fronts->fronts[f].cut);
         picture_name(picture, pen_measured, name);
     }
@@ -53,11 +46,11 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     for (int f = 0; f < fronts->count; f++)
         if (fronts->fronts[f].branched)
             picture_rule(picture, fronts->fronts[f].branch_time, STYLE_FAINT, "branches");
-    for (int f = 0; f < shown_of(fronts); f++) {
+    for (int f = 0; f < shown; f++) {
         plot_begin(&picture->plot, STROKE_LINE, pen_measured);
         for (size_t k = 0; k < fronts->n_samples; k++) {
-            const double value = variant == VARIANT_SPEED ? crack_speed_at(fronts, &fronts->fronts[f], k)
-                                                          : fronts->fronts[f].advances[k];
+            const double value =
+                speeds ? crack_speed_at(fronts, &fronts->fronts[f], k) : fronts->fronts[f].advances[k];
             if (isfinite(value))
                 plot_point(&picture->plot, (double)k * fronts->every, value);
         }

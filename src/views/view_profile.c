@@ -235,15 +235,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             plot_point(&picture->plot, curves[k].profile->x[i], curves[k].values[i]);
         /* Particles that lie well apart are seen one by one. */
         const Profile *profile = curves[k].profile;
-        if (curves[k].run->experiment && picture_has_points(picture, profile->count)) {
-            for (size_t i = 0; i < profile->count; i++)
-                picture_add_mark(picture,
-                                 (PictureMark){.x = profile->x[i],
-                                               .y = curves[k].values[i],
-                                               .glyph = curves[k].run->line == LINE_DASHED ? 0x25cb : 0x25cf,
-                                               .ascii = curves[k].run->letter == 'B' ? 'x' : 'o',
-                                               .style = curves[k].run->style});
-        }
+        const ShownRun *run = curves[k].run;
+        const bool apart = run->experiment && picture_has_points(picture, profile->count);
+        for (size_t i = 0; i < profile->count && apart; i++)
+            picture_add_mark(picture, (PictureMark){profile->x[i], curves[k].values[i],
+                                                    run->line == LINE_DASHED ? 0x25cb : 0x25cf, run->style,
+                                                    .ascii = run->letter == 'B' ? 'x' : 'o'});
         add_letters(picture, &curves[k]);
     }
     if (!carried)

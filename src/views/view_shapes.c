@@ -17,18 +17,12 @@
 
 /* The largest stretch of every node, and who may not break. */
 typedef struct Stretches {
-    double *values, *safe;
+    double *values, *safe; /* in one block */
     size_t count;
     double least, most; /* of all */
     size_t foremost;    /* the node with the largest of a bond that may break; count: there is none */
     double largest;     /* that stretch */
 } Stretches;
-
-static void free_stretches(Stretches *all)
-{
-    free(all->values);
-    free(all->safe);
-}
 
 /* The largest stretch among the whole bonds of a node that may break: neither end is protected. */
 static double breakable(const Simulation *sim, const Stretches *all, size_t node)
@@ -53,10 +47,10 @@ static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
     *all = (Stretches){.count = count, .foremost = count, .largest = -HUGE_VAL};
     if (!simulation_has(sim, HAS_STRETCH) || count == 0)
         return false;
-    all->values = malloc(count * sizeof *all->values);
-    all->safe = calloc(count, sizeof *all->safe);
-    if (!all->values || !all->safe)
+    all->values = calloc(2 * count, sizeof *all->values);
+    if (!all->values)
         return false;
+    all->safe = all->values + count;
     sim->method->field(sim, stretch, 0, count, all->values);
     if (safe >= 0)
         sim->method->field(sim, safe, 0, count, all->safe);
@@ -74,18 +68,6 @@ static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
         }
     }
     return true;
-}
-
-/* Counts the nodes over each column of dots; returns how many the fullest has. */
-static int count_nodes(const Axis *x, const Stretches *all, int *bins, int dots)
-{
-    int most = 0;
-    for (size_t i = 0; i < all->count; i++) {
-        const int bin = axis_column(x, all->values[i], dots);
-        if (bin >= 0 && ++bins[bin] > most)
-            most = bins[bin];
-    }
-    return most;
 }
 
 /* `most`: the count at the end of the scale; 0: there is none. */
@@ -121,7 +103,7 @@ static void describe_bond_law(const Screen *screen, Picture *picture)
     Stretches all;
     if (!take_stretches(sim, s0, &all) || !(stiffness > 0)) {
         picture_heading(picture, "a bond's force");
-        free_stretches(&all);
+        free(all.values);
         return;
     }
     /* it stands at three quarters, unless a protected bond goes further */
@@ -130,16 +112,19 @@ static void describe_bond_law(const Screen *screen, Picture *picture)
     picture_axes(picture, axis_make(-reach / 4, reach), "s", "",
                  axis_make(-stiffness * reach / 4, stiffness * reach),
                  !screen_problem(screen)->si ? "force of a bond" : "force, N/m^5", "");
-    const bool breaks = s0 > 0;
     const bool conical = settings_lattice(screen_settings(screen))->influence == INFLUENCE_CONICAL;
     picture_name(picture, pen_measured, conical ? "f = c1 s, shortest" : "f = c s");
-    if (breaks)
+    if (s0 > 0)
         picture_name(picture, pen_limit, "s0");
     picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_SECOND, "nodes", SIGN_BAND, 1});
     /* a bin has enough nodes to be counted, however fine the page is */
     const int dots = picture->dots < 2 * picture->across ? picture->dots : 2 * picture->across;
-    int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL;
-    const int most = bins ? count_nodes(&picture->plot.x, &all, bins, dots) : 0;
+    int *bins = dots > 0 ? calloc((size_t)dots, sizeof *bins) : NULL, most = 0;
+    for (size_t i = 0; bins && i < all.count; i++) {
+        const int bin = axis_column(&picture->plot.x, all.values[i], dots);
+        if (bin >= 0 && ++bins[bin] > most)
+            most = bins[bin];
+    }
     if (most > 0) {
         /* The counts as logarithms: one alone is seen beside thousands. */
         Plot *plot = &picture->plot;
@@ -169,7 +154,7 @@ static void describe_bond_law(const Screen *screen, Picture *picture)
         note->sign_style = STYLE_CHANGED;
     }
     picture_note(picture, STYLE_NORMAL, "%s", lines[1]);
-    free_stretches(&all);
+    free(all.values);
 }
 
 enum { LINKS_MAX = 8, NEIGHBOURS = 3 };

@@ -303,16 +303,6 @@ static void add_forces(const NodeRow *row)
     free(force);
 }
 
-static void add_ends(const NodeRow *row)
-{
-    const double ends[2] = {-0.5, (double)row->nodes - 0.5};
-    const bool seen[2] = {row->first<0, row->end> row->nodes};
-    for (int side = 0; side <= 1; side++)
-        if (row->walls[side] && seen[side])
-            put_upright(row->strip, column_at(row, ends[side]), 0, row->strip->last,
-                        (PictureMark){.glyph = 0x2592, .style = STYLE_FRAME});
-}
-
 static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)
 {
     char text[96];
@@ -377,7 +367,11 @@ static void describe_bonds(Strip *strip)
         put(row.strip, node_column(&row, chosen), row.strip->last,
             (PictureMark){.glyph = 0x25cf, .style = STYLE_SECOND});
     }
-    add_ends(&row);
+    const bool seen[2] = {row.walls[0] && row.first < 0, row.walls[1] && row.end > row.nodes};
+    for (int side = 0; side <= 1; side++)
+        if (seen[side])
+            put_upright(strip, column_at(&row, side ? (double)row.nodes - 0.5 : -0.5), 0, strip->last,
+                        (PictureMark){.glyph = 0x2592, .style = STYLE_FRAME});
     Link links[LINKS_MAX];
     const size_t count = find_links(strip, links);
     picture_label(strip->picture, 0, 0, 0, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);

@@ -145,23 +145,19 @@ static void draw_axes(const Frame *frame, double left)
 
 /* --- strokes --------------------------------------------------------------------------------------- */
 
-/* It is known by the legend: the ghosts among the strokes come in the same order. */
-char draw_letter_of(const Picture *picture, int stroke)
+/* The letter of an earlier run is known by the legend: the ghosts among the strokes come in the same order.
+ */
+Pencil draw_pencil(const Picture *picture, int index)
 {
+    const Stroke *strokes = picture->plot.strokes;
+    char letter = 0;
     int earlier = 0;
-    for (int i = 0; i < stroke; i++)
-        earlier +=
-            picture->plot.strokes[i].rank == RANK_GHOST && ink_is_ghost(picture->plot.strokes[i].style);
-    for (int i = 0; i < picture->n_keys; i++)
+    for (int i = 0; i < index; i++)
+        earlier += strokes[i].rank == RANK_GHOST && ink_is_ghost(strokes[i].style);
+    for (int i = 0; i < picture->n_keys && !letter; i++)
         if (picture_run_of(&picture->keys[i]) && ink_is_ghost(picture->keys[i].style) && earlier-- == 0)
-            return picture_run_of(&picture->keys[i]);
-    return 0;
-}
-
-static Pencil pencil_of(const Frame *frame, int index)
-{
-    const Stroke *stroke = &frame->picture->plot.strokes[index];
-    return ink_pencil(stroke->style, stroke->line, draw_letter_of(frame->picture, index));
+            letter = picture_run_of(&picture->keys[i]);
+    return ink_pencil(strokes[index].style, strokes[index].line, letter);
 }
 
 static void draw_stroke(const Frame *frame, int index, bool noise, double *places)
@@ -170,7 +166,7 @@ static void draw_stroke(const Frame *frame, int index, bool noise, double *place
     const double *points = frame->picture->plot.points + 2 * stroke->first;
     const Box *box = &frame->box;
     Paper *paper = frame->paper;
-    Pencil pencil = pencil_of(frame, index);
+    Pencil pencil = draw_pencil(frame->picture, index);
     if (noise)
         pencil.colour = ink_pale(pencil.colour);
     if ((double)stroke->count > DENSE * box->width)
@@ -255,7 +251,7 @@ static void draw_strokes(const Frame *frame)
             for (int i = 0; i < plot->n_strokes; i++)
                 if (plot->strokes[i].count > 0 && !plot->strokes[i].coarse &&
                     broken == (frame->picture->plot.strokes[i].kind == STROKE_LINE &&
-                               pencil_of(frame, i).dashes[0] > 0) &&
+                               draw_pencil(frame->picture, i).dashes[0] > 0) &&
                     rank == (noise[i] ? RANK_BAND - 1 : plot->strokes[i].rank))
                     draw_stroke(frame, i, noise[i], places);
     frame->paper->kind->clip(frame->paper, NULL);

@@ -77,8 +77,8 @@ bool ink_is_ghost(Style);
 /* The line of a stroke or of a legend's entry. Earlier runs have dashes of their own, by their letter. */
 Pencil ink_pencil(Style, LineStyle, char letter);
 
-/* draw_plot.c: the letter of the earlier run that a stroke is of; 0: of none. */
-char draw_letter_of(const Picture *, int stroke);
+/* draw_plot.c: that of a stroke, by the legend's entry if it is of an earlier run. */
+Pencil draw_pencil(const Picture *, int stroke);
 
 Colour ink_pale(Colour); /* halfway to white */
 

@@ -27,12 +27,6 @@ static void name_axis(const Picture *picture, int axis, char *out, size_t size)
         snprintf(out, size, "%s", picture->x_name);
 }
 
-static Pencil pencil_of(const Picture *picture, int stroke)
-{
-    const Stroke *of = &picture->plot.strokes[stroke];
-    return ink_pencil(of->style, of->line, draw_letter_of(picture, stroke));
-}
-
 /* How an entry of the legend is shown: as a band, a dot or a piece of line. */
 static StrokeKind kind_of(const PictureKey *key)
 {
@@ -145,7 +139,7 @@ static void tex_stroke(FILE *out, const Picture *picture, int index)
     const Plot *plot = &picture->plot;
     const Stroke *stroke = &plot->strokes[index];
     const double *points = plot->points + 2 * stroke->first;
-    const Pencil pencil = pencil_of(picture, index);
+    const Pencil pencil = draw_pencil(picture, index);
     fputs("\\addplot[forget plot, ", out);
     if (stroke->kind == STROKE_BAND)
         tex_colour(out, "draw=none, fill", ink_fill(stroke->style, stroke->fill));
@@ -301,7 +295,7 @@ static void gnuplot_plot(FILE *out, const Picture *picture, int panel, bool bare
     fputs("plot ", out);
     for (int i = 0; i < picture->plot.n_strokes; i++) {
         const Stroke *stroke = &picture->plot.strokes[i];
-        const Pencil pencil = pencil_of(picture, i);
+        const Pencil pencil = draw_pencil(picture, i);
         fprintf(out, "$p%ds%d notitle ", panel, i);
         gnuplot_look(out, stroke->kind, " pt 7 ps 0.4", &pencil, ink_fill(stroke->style, stroke->fill));
     }

@@ -37,24 +37,6 @@ static const struct {
     {"help", TELL_HELP},
 };
 
-/* --- what is drawn as words -------------------------------------------------------------------------- */
-
-static void tell_drawn(const Screen *screen, void (*draw)(const Screen *, Area), int rows, bool numbered,
-                       Words *words)
-{
-    Screen plain = *screen;
-    Canvas canvas = {.width = 0};
-    const Rect all = {0, 0, WORDS_WIDTH - (numbered ? 3 : 0), rows};
-    plain.look = (ScreenLook){.glyphs = GLYPHS_ASCII};
-    words->lost |= !canvas_open(&canvas, all.width, rows, NULL);
-    if (canvas.cells) {
-        draw(&plain, (Area){&canvas, all, GLYPHS_ASCII});
-        canvas_to_ascii(&canvas, true);
-        words_canvas(words, &canvas, numbered);
-    }
-    canvas_close(&canvas);
-}
-
 /* --- parts -------------------------------------------------------------------------------------------- */
 
 static void tell_where(const Screen *screen, Words *words)
@@ -186,35 +168,25 @@ static void tell_focus(const Screen *screen, Words *words)
                       : panes[screen->panes.focus]);
 }
 
-static void tell_row(const Settings *settings, const RowPlace *place, Words *words)
-{
-    const int kind = place->kind, row = place->row;
-    const RowKind *about = &row_kinds[kind];
-    char values[ROW_TEXT_MAX], name[64];
-    if (place->value) {
-        settings_row_place_show(settings, place, name, values);
-        words_say(words, 2, "%s is %s; the arrows change it, Enter edits it.", name, values);
-        return;
-    }
-    if (row == ROW_NEW) {
-        words_say(words, 2, "A new %s (%s): Enter adds one.", about->one, about->form);
-        return;
-    }
-    settings_row_show(settings, kind, row, values);
-    words_say(words, 2, "Row %s %s (%s): %s; Enter edits it, p moves it%s.", about->one,
-              settings->rows[kind].rows[row].name, about->form, values,
-              about->usual ? "" : ", C copies, D deletes");
-}
-
 static void tell_parameter(const Screen *screen, Words *words)
 {
     const Settings *settings = screen_settings(screen);
     ParameterRow row;
     if (!screen_chosen_row(screen, &row))
         return;
-    if (row.is_row)
-        tell_row(settings, &row.place, words);
-    else if (row.derived >= 0) {
+    const int kind = row.place.kind;
+    char name[64], values[ROW_TEXT_MAX];
+    if (row.is_row && row.place.value) {
+        settings_row_place_show(settings, &row.place, name, values);
+        words_say(words, 2, "%s is %s; the arrows change it, Enter edits it.", name, values);
+    } else if (row.is_row && row.place.row == ROW_NEW)
+        words_say(words, 2, "A new %s (%s): Enter adds one.", row_kinds[kind].one, row_kinds[kind].form);
+    else if (row.is_row) {
+        settings_row_show(settings, kind, row.place.row, values);
+        words_say(words, 2, "Row %s %s (%s): %s; Enter edits it, p moves it%s.", row_kinds[kind].one,
+                  settings->rows[kind].rows[row.place.row].name, row_kinds[kind].form, values,
+                  row_kinds[kind].usual ? "" : ", C copies, D deletes");
+    } else if (row.derived >= 0) {
         Derived derived[DERIVED_MAX];
         experiment_derived(screen->experiment, derived);
         words_say(words, 2, "%s: %s %s; it follows from the parameters.", derived[row.derived].label,
@@ -294,8 +266,20 @@ void tell_part(const Screen *screen, TellPart part, Words *words)
         tell_view(screen, part == TELL_UPPER ? screen->views.upper : screen->views.lower, words);
     else if (part == TELL_INSPECTOR && screen->panes.inspecting)
         tell_view(screen, &view_inspector, words);
-    else if (drawn[part].draw && (part != TELL_LESSON || screen->lesson->open))
-        tell_drawn(screen, drawn[part].draw, drawn[part].rows, drawn[part].numbered, words);
+    else if (drawn[part].draw && (part != TELL_LESSON || screen->lesson->open)) {
+        Screen plain = *screen;
+        Canvas canvas = {.width = 0};
+        const bool numbered = drawn[part].numbered;
+        const Rect all = {0, 0, WORDS_WIDTH - (numbered ? 3 : 0), drawn[part].rows};
+        plain.look = (ScreenLook){.glyphs = GLYPHS_ASCII};
+        words->lost |= !canvas_open(&canvas, all.width, all.height, NULL);
+        if (canvas.cells) {
+            drawn[part].draw(&plain, (Area){&canvas, all, GLYPHS_ASCII});
+            canvas_to_ascii(&canvas, true);
+            words_canvas(words, &canvas, numbered);
+        }
+        canvas_close(&canvas);
+    }
 }
 
 bool tell_named(const Screen *screen, const char *word, Words *words)

@@ -221,23 +221,6 @@ static void say_band(Words *words, const char *name, const double *points, size_
                   number(y, last, a), number(y, most, b), x->name, number(x, at, c));
 }
 
-static void say_dots(Words *words, const char *name, const Curve *curve, const Measure *x, const Measure *y)
-{
-    char a[NAME_MAX], b[NAME_MAX], c[NAME_MAX], d[NAME_MAX];
-    words_say(words, 4, "  %s: %zu dots, least %s at %s %s, greatest %s at %s.", name, curve->count,
-              number(y, y_at(curve, curve->least), a), x->name, number(x, x_at(curve, curve->least), b),
-              number(y, y_at(curve, curve->greatest), c), number(x, x_at(curve, curve->greatest), d));
-}
-
-/* Whether it is none of x, whatever the picture says. */
-static bool turns_back(const Curve *curve)
-{
-    for (size_t i = curve->first; i < curve->last; i++)
-        if (x_at(curve, i + 1) < x_at(curve, i))
-            return true;
-    return false;
-}
-
 /* A line in a plane turns back as it likes: where it begins and ends, and how far it reaches. */
 static void say_path(Words *words, const char *name, const Curve *curve, const Measure *x, const Measure *y)
 {
@@ -295,8 +278,11 @@ static void say_stroke(const Picture *picture, int index, double cursor, const C
                        const Measure *y, Words *words)
 {
     const Stroke *stroke = &picture->plot.strokes[index];
-    const bool is_path = picture->kind == PICTURE_PATH || (stroke->kind == STROKE_LINE && turns_back(curve));
-    char name[NAME_MAX], a[NAME_MAX], b[NAME_MAX];
+    bool is_path = picture->kind == PICTURE_PATH;
+    char name[NAME_MAX], a[NAME_MAX], b[NAME_MAX], c[NAME_MAX], d[NAME_MAX];
+    /* one that turns back is none of x, whatever the picture says */
+    for (size_t i = curve->first; i < curve->last && stroke->kind == STROKE_LINE; i++)
+        is_path |= x_at(curve, i + 1) < x_at(curve, i);
     name_of(picture, index, name);
     if (stroke->kind == STROKE_BAND && picture->kind == PICTURE_BARS)
         words_say(words, 4, "  %s %s: %s.", x->name, number(x, (x_at(curve, 0) + x_at(curve, 2)) / 2, a),
@@ -306,7 +292,9 @@ static void say_stroke(const Picture *picture, int index, double cursor, const C
     else if (is_path)
         say_path(words, name, curve, x, y);
     else if (stroke->kind == STROKE_DOTS)
-        say_dots(words, name, curve, x, y);
+        words_say(words, 4, "  %s: %zu dots, least %s at %s %s, greatest %s at %s.", name, curve->count,
+                  number(y, y_at(curve, curve->least), a), x->name, number(x, x_at(curve, curve->least), b),
+                  number(y, y_at(curve, curve->greatest), c), number(x, x_at(curve, curve->greatest), d));
     else
         say_curve(words, name, curve, x, y);
     if (stroke->kind == STROKE_LINE && !is_path && isfinite(value_at(curve, cursor)))

@@ -87,13 +87,6 @@ static size_t frame_bytes(const char *line, const char *at)
     return alone && (bars == 1 || rule == TEXT_MOST || (rule == 1 && at == line)) ? bytes : 0;
 }
 
-static bool has_words(const char *line)
-{
-    while (*line && !isalnum((unsigned char)*line) && (unsigned char)*line < 0x80)
-        line++;
-    return *line != '\0';
-}
-
 void words_canvas(Words *words, const Canvas *canvas, bool numbered)
 {
     char *dump = canvas_dump(canvas);
@@ -117,7 +110,10 @@ void words_canvas(Words *words, const Canvas *canvas, bool numbered)
         while (out > line && (out[-1] == ' ' || (out[-1] == '-' && out - line > 1 && out[-2] == ' ')))
             out--;
         *out = '\0';
-        if (!has_words(line))
+        const char *word = line;
+        while (*word && !isalnum((unsigned char)*word) && (unsigned char)*word < 0x80)
+            word++;
+        if (!*word)
             continue;
         if (numbered)
             snprintf(head, sizeof head, "%2d ", ++number);

@@ -210,26 +210,6 @@ static double named(const Subject *subject, const char *field)
     return simulation_named(subject->sim, subject->set, field, subject->index);
 }
 
-/* "particle 25 at x = 12.5, in cell 12", "node 13 at x = 13, held by a support". */
-static void describe_subject(const Subject *subject, Picture *picture)
-{
-    const Simulation *sim = subject->sim;
-    char text[96];
-    const double cell = named(subject, "cell");
-    snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(subject->screen) ? "A: " : "",
-             sim->sets[subject->set].name, subject->index, text_fitted(named(subject, "x"), 6, 10).text);
-    if (subject->shapes == 3)
-        text_append(text, sizeof text, ", y = %s", text_fitted(named(subject, "y"), 6, 10).text);
-    const char *held = named(subject, "fixed") > 0 ? ", held by a support" : "";
-    snprintf(picture->brief, sizeof picture->brief, "%.70s%s", text, held);
-    if (!isnan(cell))
-        text_append(text, sizeof text, ", in cell %.0f", cell);
-    text_append(text, sizeof text, "%s", held);
-    picture_heading(picture, "%s", text);
-    snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next  ↑ ↓ node or particle  i closes ");
-    snprintf(picture->hints[1], sizeof picture->hints[1], " ← → next  ↑ node  i closes ");
-}
-
 /* The latest stage first (between steps what the first stage will do), then what the subject is made of, then
  * what else is still at hand. */
 static void describe(const Screen *screen, Picture *picture)
@@ -238,7 +218,20 @@ static void describe(const Screen *screen, Picture *picture)
     const Simulation *sim = subject.sim;
     const int latest = sim->stage > 0 ? sim->stage - 1 : 0;
     picture->kind = PICTURE_TABLES;
-    describe_subject(&subject, picture);
+    /* "particle 25 at x = 12.5, in cell 12", "node 13 at x = 13, held by a support" */
+    char text[96];
+    const double cell = named(&subject, "cell");
+    const char *held = named(&subject, "fixed") > 0 ? ", held by a support" : "";
+    snprintf(text, sizeof text, "%s%s %zu at x = %s", screen_second_run(screen) ? "A: " : "",
+             sim->sets[subject.set].name, subject.index, text_fitted(named(&subject, "x"), 6, 10).text);
+    if (subject.shapes == 3)
+        text_append(text, sizeof text, ", y = %s", text_fitted(named(&subject, "y"), 6, 10).text);
+    snprintf(picture->brief, sizeof picture->brief, "%.70s%s", text, held);
+    if (!isnan(cell))
+        text_append(text, sizeof text, ", in cell %.0f", cell);
+    picture_heading(picture, "%s%s", text, held);
+    snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next  ↑ ↓ node or particle  i closes ");
+    snprintf(picture->hints[1], sizeof picture->hints[1], " ← → next  ↑ node  i closes ");
     if (subject.n_links == 0)
         picture_note(picture, STYLE_NORMAL, "no particle is near: this node is empty");
     else if (sim->stage > 0 && !passes_any(&subject, latest, true) && !passes_any(&subject, latest, false))

@@ -150,12 +150,10 @@ static const PictureMark *add_flagged(Map *map, const char *name, int row, int s
     for (size_t i = 0; flags && i < nx; i++)
         if (flags[i] > 0)
             picture_add_mark(map->picture,
-                             (PictureMark){.x = map->drawn->x[first + i],
-                                           .y = map->drawn->y[first + i] + side * map->body.spacing / 2,
-                                           .glyph = i < nx / 2 ? left : right,
-                                           .style = STYLE_HEADING,
-                                           .kind = side ? MARK_STANDS : MARK_PLACE,
-                                           .side = {0, (signed char)side}});
+                             (PictureMark){map->drawn->x[first + i],
+                                           map->drawn->y[first + i] + side * map->body.spacing / 2,
+                                           i < nx / 2 ? left : right, STYLE_HEADING,
+                                           side ? MARK_STANDS : MARK_PLACE, .side = {0, (signed char)side}});
     free(flags);
     return map->picture->n_marks > before ? &map->picture->marks[map->picture->n_marks - 1] : NULL;
 }

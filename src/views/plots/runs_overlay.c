@@ -116,9 +116,7 @@ PictureKey runs_key(const ShownRun *run)
 void runs_letter(Picture *picture, const ShownRun *run, double x, double y, MarkKind kind)
 {
     if (run->letter)
-        picture_add_mark(
-            picture,
-            (PictureMark){.x = x, .y = y, .glyph = (uint32_t)run->letter, .style = run->style, .kind = kind});
+        picture_add_mark(picture, (PictureMark){x, y, (uint32_t)run->letter, run->style, .kind = kind});
 }
 
 double runs_mark(const ShownRun *run, const Axis *x, int k)
@@ -235,12 +233,6 @@ static double sample(const void *context, size_t index, double *x)
     return samples->y[index];
 }
 
-static void put_mark(Picture *picture, double x, double y)
-{
-    picture_add_mark(picture,
-                     (PictureMark){.x = x, .y = y, .glyph = '+', .style = STYLE_THIRD, .kind = MARK_DOT});
-}
-
 /* Few values have a mark each; of many one now and then, so that they are seen where the run's own curve
  * covers them. */
 void overlay_add(const Screen *screen, Picture *picture, const char *curve, bool along)
@@ -262,13 +254,15 @@ void overlay_add(const Screen *screen, Picture *picture, const char *curve, bool
     plot_begin(&picture->plot, STROKE_DOTS, (Pen){LINE_SOLID, '+', STYLE_THIRD, RANK_SECOND, 0});
     plot_curve(&picture->plot, sample, &samples, first, end, picture->dots);
     picture_key(picture, (PictureKey){LINE_SOLID, '+', STYLE_THIRD, overlay->file, '+', 0});
-    for (size_t row = first; row < end && end - first <= (size_t)width / 2; row++)
-        put_mark(picture, x[row], column->values[row]);
-    for (int cell = 0; cell < width && end - first > (size_t)width / 2; cell += MARK_EVERY) {
-        const double at = axis->low + (axis->high - axis->low) * (cell + 0.5) / width;
-        const size_t row = overlay_find(overlay, at);
+    const bool few = end - first <= (size_t)width / 2;
+    const size_t marks = few ? end - first : ((size_t)width + MARK_EVERY - 1) / MARK_EVERY;
+    for (size_t i = 0; i < marks; i++) {
+        const double share = ((double)(i * MARK_EVERY) + 0.5) / width;
+        const size_t row =
+            few ? first + i : overlay_find(overlay, axis->low + (axis->high - axis->low) * share);
         if (row >= first && row < end)
-            put_mark(picture, x[row], column->values[row]);
+            picture_add_mark(picture,
+                             (PictureMark){x[row], column->values[row], '+', STYLE_THIRD, .kind = MARK_DOT});
     }
 }
 
