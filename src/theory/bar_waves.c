@@ -141,11 +141,6 @@ static bool are_waves(const Waves *waves)
     return waves->parts > 1 && waves->bar->of_sines;
 }
 
-static double mode_share(const Waves *waves, double x)
-{
-    return are_waves(waves) ? bar_initial_velocity(waves->bar, x) / 2 : 0;
-}
-
 /* int phi dx from the left end: (1 - cos beta x)/beta left fixed, sin(beta x)/beta left free; x of rigid
  * motion. */
 static double mode_share_until(const Waves *waves, double x)
@@ -194,7 +189,8 @@ static double from_start(const Waves *waves, int of, Way way, bool integral, dou
 {
     const double c = waves->part[of].speed, sign = way == TO_RIGHT ? 1 : -1;
     if (!integral)
-        return mode_share(waves, begun) + pulse_share(waves, way) * pulse(waves->bar, begun);
+        return (are_waves(waves) ? bar_initial_velocity(waves->bar, begun) / 2 : 0) +
+               pulse_share(waves, way) * pulse(waves->bar, begun);
     double sum = mode_share_until(waves, x) - mode_share_until(waves, begun);
     sum += pulse_share(waves, way) * (pulse_until(waves->bar, x) - pulse_until(waves->bar, begun));
     return sum * sign / c;
@@ -257,29 +253,22 @@ static void leaving_joint(const Waves *waves, bool integral, double t, double ou
 }
 
 /* A wave at (x, t), or its integral over time up to there. */
-static double wave(const Waves *waves, int of, Way way, bool integral, double x, double t);
-
-/* What goes out of an end or of the joint into the part at time t. */
-static double outgoing(const Waves *waves, int of, Way way, bool integral, double t)
-{
-    const Way back = opposite(way);
-    double from_joint[2];
-    if (waves->parts == 1 || (way == TO_RIGHT) == (of == 0))
-        return sign_at(waves, back) * wave(waves, of, back, integral, edge_of(&waves->part[of], back), t);
-    leaving_joint(waves, integral, t, from_joint);
-    return from_joint[of];
-}
-
 static double wave(const Waves *waves, int of, Way way, bool integral, double x, double t)
 {
     const Part *part = &waves->part[of];
+    const Way back = opposite(way);
     const double c = part->speed, sign = way == TO_RIGHT ? 1 : -1;
-    const double passed = fabs(x - edge_of(part, opposite(way))) / c;
+    const double passed = fabs(x - edge_of(part, back)) / c;
     const double begun = x - sign * c * fmin(t, passed); /* where it was at t = 0, or the end */
     if (t <= passed)
         return from_start(waves, of, way, integral, x, begun);
-    return (integral ? from_start(waves, of, way, true, x, begun) : 0) +
-           outgoing(waves, of, way, integral, t - passed);
+    /* and what went out of an end or of the joint into the part */
+    double out[2];
+    if (waves->parts == 1 || (way == TO_RIGHT) == (of == 0))
+        out[of] = sign_at(waves, back) * wave(waves, of, back, integral, edge_of(part, back), t - passed);
+    else
+        leaving_joint(waves, integral, t - passed, out);
+    return (integral ? from_start(waves, of, way, true, x, begun) : 0) + out[of];
 }
 
 /* Of one material all comes back after four times the length: without so many such times, so that the way to
@@ -288,11 +277,6 @@ static double shorten(const Waves *waves, double t)
 {
     const double period = 4 * duration(&waves->part[0]);
     return waves->parts == 1 ? t - floor(t / period) * period : t;
-}
-
-static int part_at(const Waves *waves, double x)
-{
-    return waves->parts > 1 && x > waves->part[0].right;
 }
 
 /* What is of modes and loads. */
@@ -313,21 +297,21 @@ static Both both_at(const BarTheory *bar, bool integral, double x, double t)
         return (Both){0};
     const Waves waves = waves_of(bar);
     const double late = shorten(&waves, t);
-    const int part = part_at(&waves, x);
+    const int part = waves.parts > 1 && x > waves.part[0].right;
     return (Both){wave(&waves, part, TO_RIGHT, integral, x, late),
                   wave(&waves, part, TO_LEFT, integral, x, late), waves.part[part].impedance, t - late};
 }
 
 double bar_waves_velocity(const BarTheory *bar, double x, double t)
 {
-    const double rest = !has_rest(bar) ? 0 : bar_velocity(bar, x, t);
+    const double rest = has_rest(bar) ? bar_velocity(bar, x, t) : 0;
     const Both both = both_at(bar, false, x, t);
     return rest + both.to_right + both.to_left;
 }
 
 double bar_waves_stress(const BarTheory *bar, double x, double t)
 {
-    const double rest = !has_rest(bar) ? 0 : bar_stress(bar, x, t);
+    const double rest = has_rest(bar) ? bar_stress(bar, x, t) : 0;
     const Both both = both_at(bar, false, x, t);
     return rest + both.impedance * (both.to_left - both.to_right);
 }
@@ -353,7 +337,7 @@ static double start_momentum(const Waves *waves)
 
 double bar_waves_displacement(const BarTheory *bar, double x, double t)
 {
-    const double rest = !has_rest(bar) ? 0 : bar_displacement(bar, x, t);
+    const double rest = has_rest(bar) ? bar_displacement(bar, x, t) : 0;
     const Both both = both_at(bar, true, x, t);
     double drift = 0;
     if (both.left_out > 0 && !bar->left_fixed && !bar->right_fixed) {
@@ -373,7 +357,7 @@ static double impulse_at(const Waves *waves, int part, double x, double t)
 double bar_waves_centre_velocity(const BarTheory *bar, double t)
 {
     ASSERT_REAL(t, >=, 0);
-    const double rest = !has_rest(bar) ? 0 : bar_centre_velocity(bar, t);
+    const double rest = has_rest(bar) ? bar_centre_velocity(bar, t) : 0;
     if (!are_there(bar))
         return rest;
     const Waves waves = waves_of(bar);

@@ -226,20 +226,6 @@ static bool integrate_motion(const Modes *modes, const BeamTheory *beam, MovingC
                                 t);
 }
 
-static bool check_definition(const BeamTheory *beam, double speed, double end, Status *status)
-{
-    const double positive[] = {beam->length, beam->height, beam->youngs_modulus, beam->density};
-    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
-        if (!(positive[i] > 0) || !isfinite(positive[i]))
-            return status_refuse(status,
-                                 "length, height, Young's modulus and density of a beam must be above 0");
-    if (!(end >= 0) || !isfinite(end) || !isfinite(speed) || !isfinite(beam->amplitude))
-        return status_refuse(status, "no moving cantilever until t = %g at speed %g", end, speed);
-    if (!(beam->length + speed * end > 0))
-        return status_refuse(status, "the cantilever has no length left at t = %g (speed %g)", end, speed);
-    return true;
-}
-
 static MovingCantilever *solve(const BeamTheory *beam, double speed, double end, Status *status)
 {
     Modes modes = {.length = beam->length,
@@ -284,10 +270,20 @@ static MovingCantilever *solve(const BeamTheory *beam, double speed, double end,
 
 MovingCantilever *moving_cantilever_solve(const BeamTheory *beam, double speed, double end, Status *status)
 {
-    if (!check_definition(beam, speed, end, status))
-        return NULL;
+    const double positive[] = {beam->length, beam->height, beam->youngs_modulus, beam->density};
+    MovingCantilever *solution = NULL;
+    bool sound = true;
+    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+        sound = sound && positive[i] > 0 && isfinite(positive[i]);
     gsl_errors_off();
-    MovingCantilever *solution = solve(beam, speed, end, status);
+    if (!sound)
+        status_refuse(status, "length, height, Young's modulus and density of a beam must be above 0");
+    else if (!(end >= 0) || !isfinite(end) || !isfinite(speed) || !isfinite(beam->amplitude))
+        status_refuse(status, "no moving cantilever until t = %g at speed %g", end, speed);
+    else if (!(beam->length + speed * end > 0))
+        status_refuse(status, "the cantilever has no length left at t = %g (speed %g)", end, speed);
+    else
+        solution = solve(beam, speed, end, status);
     gsl_errors_on();
     return solution;
 }

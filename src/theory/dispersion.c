@@ -181,15 +181,9 @@ Dispersion dispersion_of_bar(const BarTheory *bar, const BarMesh *mesh, double w
 /* The square of the Courant number at which the wave of this angle begins to grow: there the trace comes to
  * -(1 + determinant), that is an eigenvalue to -1. The determinant alone never passes 1, as W <= g T and g
  * <= 1. */
-typedef struct Endless {
-    BarMesh mesh;
-    Rows rows;
-} Endless;
-
-static double limit_of_angle(double theta, const Endless *endless)
+static double limit_of_angle(const BarMesh *mesh, const Rows *rows, double theta)
 {
-    const BarMesh *mesh = &endless->mesh;
-    const Response r = response_of(mesh, &endless->rows, theta);
+    const Response r = response_of(mesh, rows, theta);
     const double drive =
         r.stiffness * (mesh->algorithm == MPM_USL ? (1 + r.kept) * r.moves - r.returns : r.returns);
     return drive > 0 ? 2 * (1 + r.kept) / drive : INFINITY;
@@ -199,16 +193,16 @@ double dispersion_endless_courant(const BarMesh *mesh)
 {
     /* a scan finds the worst angle, ever smaller steps to either side the minimum near it */
     enum { ANGLES = 1024 };
-    Endless endless = {*mesh, rows_of(mesh)};
-    double worst = M_PI, least = limit_of_angle(M_PI, &endless);
+    const Rows rows = rows_of(mesh);
+    double worst = M_PI, least = limit_of_angle(mesh, &rows, M_PI);
     for (int i = 1; i < ANGLES; i++) {
-        const double here = limit_of_angle(M_PI * i / ANGLES, &endless);
+        const double here = limit_of_angle(mesh, &rows, M_PI * i / ANGLES);
         if (here < least)
             least = here, worst = M_PI * i / ANGLES;
     }
     for (double step = M_PI / (2 * ANGLES); worst < M_PI && step > 1e-9; step /= 2)
         for (int side = -1; side <= 1; side += 2) {
-            const double here = limit_of_angle(worst + side * step, &endless);
+            const double here = limit_of_angle(mesh, &rows, worst + side * step);
             if (here < least)
                 least = here, worst += side * step;
         }

@@ -31,7 +31,6 @@
 /* In part i phi = size sin(phase + wave_number (x - from)); the greatest |phi| is 1. */
 typedef struct BarMode {
     double frequency; /* radians per unit time, to about 1e-15 of it */
-    double joint;
     struct {
         double from, wave_number, phase, size;
     } part[2];
@@ -41,16 +40,6 @@ typedef struct BarMode {
 typedef struct Way {
     double first, through[2], ratio; /* first: theta at the left end */
 } Way;
-
-static Way way_of(const BarTheory *bar)
-{
-    const double c1 = sqrt(bar->youngs_modulus / bar->density),
-                 c2 = sqrt(bar->joint_modulus / bar->joint_density);
-    return (Way){.first = bar->left_fixed ? 0 : M_PI / 2,
-                 .through = {bar->joint / c1, (bar->length - bar->joint) / c2},
-                 .ratio = sqrt(bar->joint_modulus * bar->joint_density) /
-                          sqrt(bar->youngs_modulus * bar->density)};
-}
 
 /* theta behind the joint from that before it: in the same quadrant, tan(theta_2) = q tan(theta). */
 static double across(double q, double theta)
@@ -96,14 +85,17 @@ static double crest(double from, double to)
                                                              : fmax(fabs(math_sin(from)), fabs(math_sin(to)));
 }
 
-/* Of a bar with a joint; `growth` of the phase: beta_n L of mode n >= 1. */
-static BarMode mode_of_growth(const BarTheory *bar, double growth)
+/* Mode n >= 1 of a bar with a joint, whose phase grows by beta_n L. */
+static BarMode mode_of_two(const BarTheory *bar, int number)
 {
     ASSERT_REAL(bar->joint, >, 0);
     ASSERT_REAL(bar->joint, <, bar->length);
-    const Way way = way_of(bar);
-    BarMode mode = {.joint = bar->joint};
-    mode.frequency = find_frequency(&way, growth);
+    const double c1 = bar_wave_speed(bar), c2 = sqrt(bar->joint_modulus / bar->joint_density);
+    const Way way = {.first = bar->left_fixed ? 0 : M_PI / 2,
+                     .through = {bar->joint / c1, (bar->length - bar->joint) / c2},
+                     .ratio = sqrt(bar->joint_modulus * bar->joint_density) /
+                              sqrt(bar->youngs_modulus * bar->density)};
+    BarMode mode = {.frequency = find_frequency(&way, bar_wave_number(bar, number) * bar->length)};
     for (int i = 0; i < 2; i++) {
         mode.part[i].from = i ? bar->joint : 0;
         mode.part[i].wave_number =
@@ -126,18 +118,6 @@ static double phase_at(const BarMode *mode, int i, double x)
     return mode->part[i].phase + mode->part[i].wave_number * (x - mode->part[i].from);
 }
 
-static double shape_of(const BarMode *mode, double x)
-{
-    const int i = x > mode->joint;
-    return mode->part[i].size * math_sin(phase_at(mode, i, x));
-}
-
-static double slope_of(const BarMode *mode, double x)
-{
-    const int i = x > mode->joint;
-    return mode->part[i].size * mode->part[i].wave_number * math_cos(phase_at(mode, i, x));
-}
-
 static double end_of(const BarTheory *bar, int i)
 {
     return i ? bar->length : bar->joint;
@@ -146,21 +126,6 @@ static double end_of(const BarTheory *bar, int i)
 static double density_of(const BarTheory *bar, int i)
 {
     return i ? bar->joint_density : bar->density;
-}
-
-/* int rho phi dx / int rho dx; int size sin(phase + k x) dx = size (cos(at its beginning) - cos(at its
- * end))/k */
-static double mean_of(const BarTheory *bar, const BarMode *mode)
-{
-    double momentum = 0, mass = 0;
-    for (int i = 0; i < 2; i++) {
-        const double rho = density_of(bar, i), from = mode->part[i].from, to = end_of(bar, i);
-        momentum += rho * mode->part[i].size *
-                    (math_cos(phase_at(mode, i, from)) - math_cos(phase_at(mode, i, to))) /
-                    mode->part[i].wave_number;
-        mass += rho * (to - from);
-    }
-    return momentum / mass;
 }
 
 /* int cos(u + w x) dx over a length about x = 0 */
@@ -174,20 +139,6 @@ static double cosine(double u, double w, double length)
 static double product(double phase1, double k1, double phase2, double k2, double length)
 {
     return (cosine(phase1 - phase2, k1 - k2, length) - cosine(phase1 + phase2, k1 + k2, length)) / 2;
-}
-
-/* int rho phi s dx / int rho phi^2 dx for s = sin(phase + beta x) */
-static double share_of(const BarTheory *bar, const BarMode *mode, double beta, double phase)
-{
-    double both = 0, own = 0;
-    for (int i = 0; i < 2; i++) {
-        const double from = mode->part[i].from, to = end_of(bar, i), middle = (from + to) / 2;
-        const double k = mode->part[i].wave_number, at = phase_at(mode, i, middle);
-        const double size = mode->part[i].size, weight = density_of(bar, i) * size;
-        both += weight * product(at, k, phase + beta * middle, beta, to - from);
-        own += weight * size * product(at, k, at, k, to - from);
-    }
-    return both / own;
 }
 
 /* Of one material, and what a run asks of either. */
@@ -223,11 +174,6 @@ double bar_wave_speed(const BarTheory *bar)
     return sqrt(bar->youngs_modulus / bar->density);
 }
 
-static double speed_beyond(const BarTheory *bar)
-{
-    return bar->joint > 0 ? sqrt(bar->joint_modulus / bar->joint_density) : bar_wave_speed(bar);
-}
-
 /* beta_n: (2n - 1) pi/2L with one free end, n pi/L with two equal ends; paper M's eq. 17 with L as a
  * length. */
 double bar_wave_number(const BarTheory *bar, int number)
@@ -239,16 +185,13 @@ double bar_wave_number(const BarTheory *bar, int number)
     return (one_free_end ? number - 0.5 : number) * M_PI / bar->length;
 }
 
-static BarMode mode_of_two(const BarTheory *bar, int number)
-{
-    return mode_of_growth(bar, bar_wave_number(bar, number) * bar->length);
-}
-
 double bar_largest_wave_number(const BarTheory *bar, int number)
 {
     ASSERT_INT(number, >=, 0);
-    return bar_is_layered(bar) ? bar_frequency(bar, number) / fmin(bar_wave_speed(bar), speed_beyond(bar))
-                               : bar_wave_number(bar, number);
+    if (!bar_is_layered(bar))
+        return bar_wave_number(bar, number);
+    return bar_frequency(bar, number) /
+           fmin(bar_wave_speed(bar), sqrt(bar->joint_modulus / bar->joint_density));
 }
 
 double bar_frequency(const BarTheory *bar, int number)
@@ -281,7 +224,8 @@ double bar_mode_shape(const BarTheory *bar, int number, double x)
     if (!is_of_two(bar, number))
         return sine_shape(bar, number, x);
     const BarMode mode = mode_of_two(bar, number);
-    return shape_of(&mode, x);
+    const int i = x > bar->joint;
+    return mode.part[i].size * math_sin(phase_at(&mode, i, x));
 }
 
 double bar_start_shape(const BarTheory *bar, int number, double x)
@@ -303,23 +247,32 @@ static double mode_slope(const BarTheory *bar, int number, double x)
     if (!is_of_two(bar, number))
         return sine_slope(bar, number, x);
     const BarMode mode = mode_of_two(bar, number);
-    return slope_of(&mode, x);
+    const int i = x > bar->joint;
+    return mode.part[i].size * mode.part[i].wave_number * math_cos(phase_at(&mode, i, x));
 }
 
 /* int rho phi dx / int rho dx; of one material (1 - cos beta L)/(beta L) left fixed, sin(beta L)/(beta L)
- * left free; 0 free-free, where the motion is none of the whole. */
+ * left free; 0 free-free, where the motion is none of the whole; of two by int size sin(phase + k x) dx =
+ * size (cos(at its beginning) - cos(at its end))/k. */
 double bar_mode_mean(const BarTheory *bar, int number)
 {
     if (is_free_free(bar))
         return number < 1 ? 1 : 0;
     if (number < 1)
         return 0;
-    if (is_of_two(bar, number)) {
-        const BarMode mode = mode_of_two(bar, number);
-        return mean_of(bar, &mode);
-    }
     double angle = bar_wave_number(bar, number) * bar->length;
-    return (bar->left_fixed ? 1 - math_cos(angle) : math_sin(angle)) / angle;
+    if (!is_of_two(bar, number))
+        return (bar->left_fixed ? 1 - math_cos(angle) : math_sin(angle)) / angle;
+    const BarMode mode = mode_of_two(bar, number);
+    double momentum = 0, mass = 0;
+    for (int i = 0; i < 2; i++) {
+        const double rho = density_of(bar, i), from = mode.part[i].from, to = end_of(bar, i);
+        momentum += rho * mode.part[i].size *
+                    (math_cos(phase_at(&mode, i, from)) - math_cos(phase_at(&mode, i, to))) /
+                    mode.part[i].wave_number;
+        mass += rho * (to - from);
+    }
+    return momentum / mass;
 }
 
 double bar_initial_velocity(const BarTheory *bar, double x)
@@ -344,9 +297,18 @@ double bar_share_of_sine(const BarTheory *bar, int start, int number)
     ASSERT_INT(start, >=, 0);
     if (!is_of_two(bar, number))
         return start == number ? 1 : 0;
+    /* s = sin(phase + beta x), for cos(x) = sin(x + pi/2) */
     const BarMode mode = mode_of_two(bar, number);
-    /* cos(x) = sin(x + pi/2) */
-    return share_of(bar, &mode, bar_wave_number(bar, start), bar->left_fixed ? 0 : M_PI / 2);
+    const double beta = bar_wave_number(bar, start), phase = bar->left_fixed ? 0 : M_PI / 2;
+    double both = 0, own = 0;
+    for (int i = 0; i < 2; i++) {
+        const double from = mode.part[i].from, to = end_of(bar, i), middle = (from + to) / 2;
+        const double k = mode.part[i].wave_number, at = phase_at(&mode, i, middle);
+        const double size = mode.part[i].size, weight = density_of(bar, i) * size;
+        both += weight * product(at, k, phase + beta * middle, beta, to - from);
+        own += weight * size * product(at, k, at, k, to - from);
+    }
+    return both / own;
 }
 
 /* The static displacement under the loads, 0 <= x <= L: E w'' = -rho b with w = 0 or E w' = t at the ends.

@@ -187,25 +187,18 @@ double beam_midpoint_velocity(const BeamTheory *beam, double period, double t)
  * sin(Omega dt/2) = omega dt/2. Only modes that are even about the middle show in the probe, the mean of the
  * rows beside it. */
 
-/* Whether u_j = u_{n-1-j} rather than its opposite. */
-static bool is_even(const gsl_matrix *modes, size_t mode)
-{
-    double product = 0;
-    for (size_t j = 0; j < modes->size1; j++)
-        product += gsl_matrix_get(modes, j, mode) * gsl_matrix_get(modes, modes->size1 - 1 - j, mode);
-    return product > 0;
-}
-
 /* Omega of each even mode in ascending order, at most `most`; the first mode is rigid motion, and one that
  * the step cannot follow (omega dt >= 2) is left out. Returns how many. */
 static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double density, double dt,
                       double *frequencies, int most)
 {
     int count = 0;
-    /* the first is rigid motion */
     for (size_t mode = 1; mode < squares->size && count < most; mode++) {
         const double omega = sqrt(fmax(0, gsl_vector_get(squares, mode)) / density);
-        if (is_even(modes, mode) && omega * dt / 2 < 1)
+        double even = 0; /* above 0: u_j = u_{n-1-j} rather than its opposite */
+        for (size_t j = 0; j < modes->size1; j++)
+            even += gsl_matrix_get(modes, j, mode) * gsl_matrix_get(modes, modes->size1 - 1 - j, mode);
+        if (even > 0 && omega * dt / 2 < 1)
             frequencies[count++] = 2 / dt * math_asin(omega * dt / 2);
     }
     return count;

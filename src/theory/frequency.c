@@ -32,14 +32,6 @@ enum {
 
 /* --- the spectrum -------------------------------------------------------------------------------- */
 
-/* exp(-i pi k^2 / n); k^2 is reduced first, so that the phase keeps its digits in long records. */
-static void chirp(size_t k, size_t n, double *real, double *imaginary)
-{
-    unsigned long long square = (unsigned long long)k * k % (2 * (unsigned long long)n);
-    double angle = M_PI * (double)square / (double)n;
-    *real = math_cos(angle), *imaginary = -math_sin(angle);
-}
-
 /* Bluestein: with k j = (k^2 + j^2 - (k - j)^2)/2 the transform
  *
  *     X_k = sum_j x_j exp(-2 pi i k j/n) = w_k sum_j (x_j w_j) conj(w_{k-j}),   w_k = exp(-i pi k^2/n)
@@ -52,8 +44,10 @@ static void transform_amplitudes(const double *windowed, size_t n, size_t m, dou
     for (size_t i = 0; i < 4 * m; i++)
         work[i] = 0;
     for (size_t k = 0; k < n; k++) {
-        double real, imaginary;
-        chirp(k, n, &real, &imaginary);
+        /* k^2 is reduced first, so that the phase keeps its digits in long records */
+        const unsigned long long square = (unsigned long long)k * k % (2 * (unsigned long long)n);
+        const double angle = M_PI * (double)square / (double)n;
+        const double real = math_cos(angle), imaginary = -math_sin(angle);
         signal[2 * k] = windowed[k] * real, signal[2 * k + 1] = windowed[k] * imaginary;
         kernel[2 * k] = real, kernel[2 * k + 1] = -imaginary;
         if (k > 0)
