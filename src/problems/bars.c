@@ -20,8 +20,6 @@ static const ParameterUse uses[] = {
     {USE("time.end", 100)},
 };
 
-static const Solver *const solvers[] = {&bar_by_mpm, &bar_by_pd, NULL};
-
 const Problem problem_bar = {
     .word = "bar",
     .body = "bar",
@@ -30,6 +28,6 @@ const Problem problem_bar = {
     .concerns = CONCERN_BAR | CONCERN_MODES | CONCERN_MESH | CONCERN_METHODS | CONCERN_LATTICE |
                 CONCERN_PULL | CONCERN_WAVES,
     USES(uses),
-    .solvers = solvers,
+    SOLVED_BY(&bar_by_mpm, &bar_by_pd),
     IN_OWN_UNITS,
 };

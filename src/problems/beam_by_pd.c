@@ -45,21 +45,6 @@ static BeamTheory real_theory(const Settings *settings, const Simulation *sim)
     return real;
 }
 
-/* What rings through the height beside the bending; left out where the lattice is so high that it would take
- * long to find. */
-static void find_thickness_lines(BeamBody *body, const Settings *settings, const Simulation *sim)
-{
-    enum { ROWS_MAX = 200 };
-    BeamFacts facts;
-    beam_facts(sim, &facts);
-    const size_t rows = (size_t)facts.ny;
-    double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
-    if (stiffness && beam_row_stiffness(sim, stiffness))
-        body->n_thickness = beam_thickness_modes(stiffness, facts.ny, settings_material(settings)->density,
-                                                 sim->dt, body->thickness, THICKNESS_LINES_MAX);
-    free(stiffness);
-}
-
 /* Of the lattice as it is damped; that of critical damping oscillates no more. */
 static bool predict(const Settings *settings, Prediction *out, Status *status)
 {
@@ -77,6 +62,7 @@ static bool predict(const Settings *settings, Prediction *out, Status *status)
 
 static BeamBody make_body(const Settings *settings, const Simulation *sim)
 {
+    enum { ROWS_MAX = 200 };
     BeamFacts facts;
     beam_facts(sim, &facts);
     BeamBody body = {.real = real_theory(settings, sim),
@@ -86,7 +72,14 @@ static BeamBody make_body(const Settings *settings, const Simulation *sim)
                      .solved = NAN,
                      .plane = NAN,
                      .rings = true};
-    find_thickness_lines(&body, settings, sim);
+    /* what rings through the height beside the bending; left out where the lattice is so high that it would
+     * take long to find */
+    const size_t rows = (size_t)facts.ny;
+    double *stiffness = facts.ny <= ROWS_MAX ? malloc(rows * rows * sizeof *stiffness) : NULL;
+    if (stiffness && beam_row_stiffness(sim, stiffness))
+        body.n_thickness = beam_thickness_modes(stiffness, facts.ny, settings_material(settings)->density,
+                                                sim->dt, body.thickness, THICKNESS_LINES_MAX);
+    free(stiffness);
     return body;
 }
 
@@ -259,14 +252,6 @@ const Solver beam_by_pd_plate = {
 
 /* --- a beam or a plate as its engine wants it ------------------------------------------------------ */
 
-static BeamProblem engine_problem(const Problem *problem)
-{
-    return problem->concerns & CONCERN_PLATE    ? BEAM_PLATE
-           : problem->concerns & CONCERN_MOTION ? BEAM_MOVING_CANTILEVER
-           : problem->concerns & CONCERN_NOTCH  ? BEAM_NOTCHED
-                                                : BEAM_SIMPLY_SUPPORTED;
-}
-
 static void copy_name(char to[PLATE_NAME_MAX], const Row *row)
 {
     _Static_assert((int)PLATE_NAME_MAX == (int)ROW_NAME_MAX, "names go over whole");
@@ -294,51 +279,37 @@ static int take_regions(const Settings *settings, int kind, bool moved, PlateReg
     return list->count;
 }
 
-static void take_cuts(const Settings *settings, PlateDef *plate)
-{
-    const RowList *list = &settings->rows[ROWS_CUTS];
-    plate->n_cuts = list->count;
-    for (int row = 0; row < list->count; row++) {
-        double value[4];
-        for (int k = 0; k < 4; k++)
-            value[k] = settings_row_value(settings, ROWS_CUTS, row, k);
-        plate->cuts[row] = (PlateCut){.x0 = value[0], .y0 = value[1], .x1 = value[2], .y1 = value[3]};
-        copy_name(plate->cuts[row].name, &list->rows[row]);
-    }
-}
-
-static void take_loads(const Settings *settings, PlateDef *plate)
+/* The rows of the scenario in metres. */
+static PlateDef plate_definition(const Settings *settings)
 {
     static const PlateEdge edges[] = {[ROW_TOP] = PLATE_TOP,
                                       [ROW_BOTTOM] = PLATE_BOTTOM,
                                       [ROW_LEFT] = PLATE_LEFT,
                                       [ROW_RIGHT] = PLATE_RIGHT};
-    const RowList *list = &settings->rows[ROWS_LOADS];
-    plate->n_loads = list->count;
-    for (int row = 0; row < list->count; row++) {
-        double value[7];
-        for (int k = 0; k < 7; k++)
-            value[k] = settings_row_value(settings, ROWS_LOADS, row, k);
-        plate->loads[row] = (PlateLoad){.edge = edges[(int)value[0]],
-                                        .from = value[1],
-                                        .to = value[2],
-                                        .sx = value[3],
-                                        .sy = value[4],
-                                        .ramp = value[5],
-                                        .until = value[6]};
-        copy_name(plate->loads[row].name, &list->rows[row]);
-    }
-}
-
-/* The rows of the scenario in metres. */
-static PlateDef plate_definition(const Settings *settings)
-{
-    PlateDef plate = {0};
+    const RowList *cuts = &settings->rows[ROWS_CUTS], *loads = &settings->rows[ROWS_LOADS];
+    PlateDef plate = {.n_cuts = cuts->count, .n_loads = loads->count};
+    double value[7];
     _Static_assert((int)PLATE_ROWS_MAX == (int)ROWS_OF_KIND_MAX, "rows go over whole");
     if (!settings_have_rows(settings, ROWS_PROBE))
         return plate;
-    take_cuts(settings, &plate);
-    take_loads(settings, &plate);
+    for (int row = 0; row < cuts->count; row++) {
+        for (int k = 0; k < 4; k++)
+            value[k] = settings_row_value(settings, ROWS_CUTS, row, k);
+        plate.cuts[row] = (PlateCut){.x0 = value[0], .y0 = value[1], .x1 = value[2], .y1 = value[3]};
+        copy_name(plate.cuts[row].name, &cuts->rows[row]);
+    }
+    for (int row = 0; row < loads->count; row++) {
+        for (int k = 0; k < 7; k++)
+            value[k] = settings_row_value(settings, ROWS_LOADS, row, k);
+        plate.loads[row] = (PlateLoad){.edge = edges[(int)value[0]],
+                                       .from = value[1],
+                                       .to = value[2],
+                                       .sx = value[3],
+                                       .sy = value[4],
+                                       .ramp = value[5],
+                                       .until = value[6]};
+        copy_name(plate.loads[row].name, &loads->rows[row]);
+    }
     plate.n_supports = take_regions(settings, ROWS_SUPPORTS, true, plate.supports);
     plate.n_impulses = take_regions(settings, ROWS_IMPULSES, true, plate.impulses);
     plate.n_unbreakable = take_regions(settings, ROWS_PROTECTED, false, plate.unbreakable);
@@ -350,8 +321,12 @@ static PlateDef plate_definition(const Settings *settings)
 BeamDef beam_definition(const Settings *settings, int threads)
 {
     ASSERT_INT(threads, >=, 1);
+    const int concerns = settings->problem->concerns;
     return (BeamDef){
-        .problem = engine_problem(settings->problem),
+        .problem = concerns & CONCERN_PLATE    ? BEAM_PLATE
+                   : concerns & CONCERN_MOTION ? BEAM_MOVING_CANTILEVER
+                   : concerns & CONCERN_NOTCH  ? BEAM_NOTCHED
+                                               : BEAM_SIMPLY_SUPPORTED,
         .length = settings_geometry(settings)->length,
         .height = settings_geometry(settings)->height,
         .thickness = settings_geometry(settings)->thickness,

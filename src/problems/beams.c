@@ -5,10 +5,12 @@
 #include "scenario/parameters.h"
 
 #define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP | CONCERN_DAMPING)
-/* In cells: the same body solved by the material point method. */
+/* A beam of aluminium that the material point method solves too, in cells. */
 #define PLANE_CONCERNS (CONCERN_METHODS | CONCERN_PLANE)
 #define PLANE_USES                                                                                           \
-    {USE("scenario.method", METHOD_PD)},                                                                     \
+    {USE("beam.height", 0.005)}, {USE("beam.thickness", 0.005)}, {USE("beam.youngs_modulus", 71e9)},         \
+        {USE("beam.density", 2700)}, {USE("pd.spacing", 0.25e-3)}, {USE("pd.horizon", 1e-3)},                \
+        {USE("scenario.method", METHOD_PD)},                                                                 \
         {USE("mesh.cell_size", 0.5e-3), .methods = BY_MPM,                                                   \
          .help = "size dx of a cell; whole numbers of cells in "                                             \
                  "length and channel, an even one in height"},                                               \
@@ -28,20 +30,12 @@
 
 static const ParameterUse uses_supported[] = {
     {USE("beam.length", 0.1)},
-    {USE("beam.height", 0.005)},
-    {USE("beam.thickness", 0.005)},
-    {USE("beam.density", 2700)},
-    {USE("beam.youngs_modulus", 71e9)},
     {USE("initial.amplitude", 3e-6)},
-    {USE("pd.spacing", 0.25e-3)},
-    {USE("pd.horizon", 1e-3)},
     {USE("time.end", 1.8e-3)},
     {USE("load.body_force", 0), .methods = BY_PD,
      .help = "force per unit mass on the whole beam, upwards; -9.81: its weight"},
     PLANE_USES,
 };
-
-static const Solver *const solvers_supported[] = {&beam_by_pd_supported, &beam_by_mpm_supported, NULL};
 
 const Problem problem_supported_beam = {
     .word = "simply-supported-beam",
@@ -50,7 +44,7 @@ const Problem problem_supported_beam = {
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | PLANE_CONCERNS | CONCERN_SECTIONS | CONCERN_WEIGHT |
                 CONCERN_REST,
     USES(uses_supported),
-    .solvers = solvers_supported,
+    SOLVED_BY(&beam_by_pd_supported, &beam_by_mpm_supported),
     BEAM_COMMON,
 };
 
@@ -58,21 +52,13 @@ const Problem problem_supported_beam = {
 
 static const ParameterUse uses_moving[] = {
     {USE("beam.length", 0.1), .help = "length of the part outside the channel at t = 0"},
-    {USE("beam.height", 0.005)},
-    {USE("beam.thickness", 0.005)},
-    {USE("beam.youngs_modulus", 71e9)},
-    {USE("beam.density", 2700)},
     {USE("motion.speed", 10)},
     {USE("motion.channel", 0.055)},
     {USE("initial.amplitude", 3e-6), .help = "U at t = 0; the tip's deflection is 2 U"},
-    {USE("pd.spacing", 0.25e-3)},
-    {USE("pd.horizon", 1e-3)},
     {USE("time.end", 5e-3)},
     {USE("mpm.flip_fraction", 0.999)},
     PLANE_USES,
 };
-
-static const Solver *const solvers_moving[] = {&beam_by_pd_moving, &beam_by_mpm_moving, NULL};
 
 const Problem problem_moving_cantilever = {
     .word = "moving-cantilever",
@@ -80,7 +66,7 @@ const Problem problem_moving_cantilever = {
     .about = "period_error",
     .concerns = BEAM_CONCERNS | CONCERN_DEFLECTION | CONCERN_MOTION | PLANE_CONCERNS | CONCERN_RIDING,
     USES(uses_moving),
-    .solvers = solvers_moving,
+    SOLVED_BY(&beam_by_pd_moving, &beam_by_mpm_moving),
     BEAM_COMMON,
     .end_matters = true, /* its channel and its modal solution reach to the end */
 };
@@ -100,15 +86,13 @@ static const ParameterUse uses_notched[] = {
     {USE("time.end", 3e-4)},
 };
 
-static const Solver *const solvers_notched[] = {&beam_by_pd_notched, NULL};
-
 const Problem problem_notched_beam = {
     .word = "notched-beam",
     .title = "three-point bending of a beam with an offset notch",
     .about = "crack_length",
     .concerns = BEAM_CONCERNS | CONCERN_NOTCH | CONCERN_PRESSURE | CONCERN_SUPPORTS | CONCERN_REST,
     USES(uses_notched),
-    .solvers = solvers_notched,
+    SOLVED_BY(&beam_by_pd_notched),
     .alone = "by it nothing breaks",
     BEAM_COMMON,
 };
@@ -130,8 +114,6 @@ static const ParameterUse uses_plate[] = {
      .help = "force per unit mass on the whole plate, upwards; -9.81: its weight"},
 };
 
-static const Solver *const solvers_plate[] = {&beam_by_pd_plate, NULL};
-
 const Problem problem_plate = {
     .word = "plate",
     .title = "a plate with cuts, loads and supports of your own",
@@ -139,7 +121,7 @@ const Problem problem_plate = {
     .concerns = CONCERN_PLATE | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP | CONCERN_DAMPING |
                 CONCERN_WEIGHT | CONCERN_REST,
     USES(uses_plate),
-    .solvers = solvers_plate,
+    SOLVED_BY(&beam_by_pd_plate),
     .alone = "by it nothing breaks",
     .body = "plate",
     .answer = "theory",

@@ -25,34 +25,14 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
 }
 
 /* What the exact answers account for; rigid motion does not ask how a body is computed. */
-static const char *const of_motion[] = {"domain.width",
-                                        "domain.height",
-                                        "domain.left",
-                                        "domain.right",
-                                        "domain.bottom",
-                                        "domain.top",
-                                        "domain.wall_friction",
-                                        "material.youngs_modulus",
-                                        "material.poisson",
-                                        "material.density",
-                                        "material.law",
-                                        "material.plane",
-                                        "mesh.cell_size",
-                                        "mesh.particles_per_cell",
-                                        "mpm.algorithm",
-                                        "mpm.shape",
-                                        "mpm.transfer",
-                                        "mpm.flip_fraction",
-                                        "mpm.rotation",
-                                        "mpm.body_mistake",
-                                        "contact.fields",
-                                        "contact.friction",
-                                        "contact.gap",
-                                        "load.gravity",
-                                        "load.incline",
-                                        "time.courant",
-                                        "time.end",
-                                        NULL};
+#define BODY_KEYS                                                                                            \
+    "domain.width", "domain.height", "domain.left", "domain.right", "domain.bottom", "domain.top",           \
+        "domain.wall_friction", "material.youngs_modulus", "material.poisson", "material.density",           \
+        "material.law", "material.plane", "mesh.cell_size", "mesh.particles_per_cell", "mpm.algorithm",      \
+        "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.rotation", "mpm.body_mistake",                \
+        "contact.fields", "contact.friction", "contact.gap", "load.gravity", "load.incline", "time.courant", \
+        "time.end"
+static const char *const of_motion[] = {BODY_KEYS, NULL};
 static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction", NULL};
 
 static const Solver bodies_by_mpm = {
@@ -82,8 +62,6 @@ static const ParameterUse uses[] = {
     {USE("time.end", 4)},
 };
 
-static const Solver *const solvers[] = {&bodies_by_mpm, NULL};
-
 const Problem problem_bodies = {
     .word = "bodies",
     .title = "elastic bodies that move, turn, bend and meet",
@@ -91,6 +69,6 @@ const Problem problem_bodies = {
     .about = "energy_change",
     .concerns = CONCERN_BODIES,
     USES(uses),
-    .solvers = solvers,
+    SOLVED_BY(&bodies_by_mpm),
     IN_OWN_UNITS,
 };

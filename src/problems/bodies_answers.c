@@ -260,15 +260,9 @@ static const Answers *answers_of(const References *refs)
     return refs->own;
 }
 
-/* Whether no wall has acted, at a time. */
-static bool is_free(const Answers *answers, double time)
-{
-    return time <= answers->free;
-}
-
 static double momentum(const Answers *answers, int axis, double time)
 {
-    return is_free(answers, time)
+    return time <= answers->free /* no wall has acted */
                ? answers->start[BODIES_MOMENTUM_X + axis] + answers->mass * answers->def.gravity[axis] * time
                : NAN;
 }
@@ -277,7 +271,7 @@ static double angular(const Answers *answers, double time)
 {
     const MpmDef *def = &answers->def;
     const double *const g = def->gravity, *const start = answers->start;
-    if (!is_free(answers, time))
+    if (!(time <= answers->free))
         return NAN;
     const double moment[2] = {answers->centre[0] - 0.5 * def->length, answers->centre[1] - 0.5 * def->height};
     const double fall = start[BODIES_MOMENTUM_X] * g[1] - start[BODIES_MOMENTUM_Y] * g[0];
@@ -302,7 +296,7 @@ static double motion(const Answers *answers, int what, double time)
                : what == SPIN ? answers->turns * t
                : what == Y    ? start[Y]
                               : 0;
-    if (!is_free(answers, time) || (what == SPIN && !is_round(&answers->def.bodies[0])))
+    if (!(time <= answers->free) || (what == SPIN && !is_round(&answers->def.bodies[0])))
         return NAN;
     return what == X    ? start[X] + start[VX] * t + 0.5 * g[0] * t * t
            : what == Y  ? start[Y] + start[VY] * t + 0.5 * g[1] * t * t
@@ -314,17 +308,11 @@ static double motion(const Answers *answers, int what, double time)
 ANSWER(reference_x, answers_of(refs)->start[BODIES_X + X] + fallen(answers_of(refs), CENTRE, time))
 ANSWER(reference_y, answers_of(refs)->start[BODIES_X + Y] + fallen(answers_of(refs), CENTRE + 1, time))
 
-#define MOTION(name, what)                                                                                   \
-    static double name(References *refs, long step, double time, const double *row)                          \
-    {                                                                                                        \
-        (void)step, (void)row;                                                                               \
-        return motion(answers_of(refs), what, time);                                                         \
-    }
-MOTION(exact_x, X)
-MOTION(exact_y, Y)
-MOTION(exact_vx, VX)
-MOTION(exact_vy, VY)
-MOTION(exact_spin, SPIN)
+ANSWER(exact_x, motion(answers_of(refs), X, time))
+ANSWER(exact_y, motion(answers_of(refs), Y, time))
+ANSWER(exact_vx, motion(answers_of(refs), VX, time))
+ANSWER(exact_vy, motion(answers_of(refs), VY, time))
+ANSWER(exact_spin, motion(answers_of(refs), SPIN, time))
 
 static void plan_fall(References *refs, Answers *answers)
 {
@@ -410,19 +398,10 @@ static void add_spin(const Answers *answers, const BodiesSeen *seen, Finding *ou
     const double nu = def->poisson, n = stress ? nu : nu / (1 - nu);
     const double E = def->youngs_modulus / (stress ? 1 : 1 - nu * nu);
     const double v = def->bodies[0].spin * def->bodies[0].size[2], pull = def->density * v * v;
-    const bool free = is_free(answers, INFINITY);
+    const bool free = isinf(answers->free);
     add(out, count, "growth", "growth of I", seen->growth, free ? pull * (1 - n) * (7 + n) / (12 * E) : NAN,
         NULL);
     add(out, count, "mean_stress", "mean stress", seen->pull, free ? pull / 4 : NAN, NULL);
-}
-
-static void add_tip(const Answers *answers, const Simulation *sim, Finding *out, int *count)
-{
-    const double now = simulation_time(sim);
-    double tip[2];
-    bodies_tip(sim, tip);
-    add(out, count, "tip_x", "tip moved x", tip[0], fallen(answers, TIP, now), "reference");
-    add(out, count, "tip_y", "y", tip[1], fallen(answers, TIP + 1, now), "reference");
 }
 
 /* How fast two bodies come nearer, by a row. */
@@ -490,8 +469,12 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     }
     if (known && isfinite(seen.growth))
         add_spin(answers, &seen, out, &n);
-    if (answers->falls)
-        add_tip(answers, sim, out, &n);
+    if (answers->falls) {
+        double tip[2];
+        bodies_tip(sim, tip);
+        add(out, &n, "tip_x", "tip moved x", tip[0], fallen(answers, TIP, now), "reference");
+        add(out, &n, "tip_y", "y", tip[1], fallen(answers, TIP + 1, now), "reference");
+    }
     if (answers->vibrates) {
         add(out, &n, "u_error", "error of u", vibration_error(answers, sim, false), 0, NULL);
         add(out, &n, "sxx_error", "error of sxx", vibration_error(answers, sim, true), 0, NULL);

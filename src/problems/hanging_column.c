@@ -132,8 +132,6 @@ static const ParameterUse uses[] = {
     {USE("time.end", 300)},
 };
 
-static const Solver *const solvers[] = {&hanging_column_by_mpm, NULL};
-
 const Problem problem_hanging_column = {
     .word = "hanging-column",
     .body = "column",
@@ -141,6 +139,6 @@ const Problem problem_hanging_column = {
     .about = "late",
     .concerns = CONCERN_BAR | CONCERN_MESH | CONCERN_WEIGHT,
     USES(uses),
-    .solvers = solvers,
+    SOLVED_BY(&hanging_column_by_mpm),
     IN_OWN_UNITS,
 };

@@ -196,8 +196,6 @@ static const ParameterUse uses[] = {
     {USE("time.end", 20)},
 };
 
-static const Solver *const solvers[] = {&one_particle_by_mpm, NULL};
-
 const Problem problem_one_particle = {
     .word = "one-particle",
     .body = "particle",
@@ -205,6 +203,6 @@ const Problem problem_one_particle = {
     .about = "late",
     .concerns = CONCERN_POINT | CONCERN_MESH,
     USES(uses),
-    .solvers = solvers,
+    SOLVED_BY(&one_particle_by_mpm),
     IN_OWN_UNITS,
 };

@@ -22,12 +22,6 @@ const Problem *problem_find(const char *word)
     return NULL;
 }
 
-static const Solver *need_solver(const Settings *settings, Status *status)
-{
-    problem_allows(settings->problem, settings->method, status);
-    return problem_solver(settings->problem, settings->method);
-}
-
 /* The series gets the columns of the things that are followed. */
 static bool follow_all(const Settings *settings, Simulation *sim, Status *status)
 {
@@ -74,10 +68,11 @@ int problem_derived(const Settings *settings, const Simulation *sim, Derived out
 
 bool problem_advice(const Settings *settings, char *advice, size_t size, Status *status)
 {
-    const Solver *solver = need_solver(settings, status);
+    const Solver *solver = problem_solver(settings->problem, settings->method);
     if (size > 0)
         advice[0] = '\0';
-    if (!solver || (solver->advice && !solver->advice(settings, advice, size, status)))
+    if (!problem_allows(settings->problem, settings->method, status) ||
+        (solver->advice && !solver->advice(settings, advice, size, status)))
         return false;
     /* the limit is predicted: with a parameter that the prediction does not account for it is not known */
     return !solver->limit || answer_unlisted_now(settings, REFERENCE_PREDICTED) ||

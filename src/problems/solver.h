@@ -89,8 +89,13 @@ Simulation *mpm_simulate(const Settings *, int threads, Status *);
 /* The head of a ParameterUse. */
 #define USE(name, value) .key = name, .usual = value
 
-/* Of a problem: its parameters, and that numbers are in units of one's own. */
-#define USES(rows)   .uses = rows, .n_uses = sizeof rows / sizeof *rows
+/* Of a problem: its parameters, its solvers, and that numbers are in units of one's own. */
+#define USES(rows) .uses = rows, .n_uses = sizeof rows / sizeof *rows
+#define SOLVED_BY(...)                                                                                       \
+    .solvers = (const Solver *const[])                                                                       \
+    {                                                                                                        \
+        __VA_ARGS__, NULL                                                                                    \
+    }
 #define IN_OWN_UNITS .answer = "exact", .unit_of_time = "time", .shown_time = 1, .shown_time_unit = ""
 
 extern const Solver bar_by_mpm, bar_by_pd;
