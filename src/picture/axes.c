@@ -304,12 +304,14 @@ int axis_row(const Axis *axis, double value, int cells)
 
 /* As many ticks as stand evenly, each so many after the other, the one at zero among them where that can be.
  * To be read from afar not each of them. Of roots and logarithms all: they never lie evenly, or always do. */
-static int even_ticks(Area area, const Axis *axis, const int *cells, int count, double ticks[TICKS_MAX])
+static int even_ticks(Area area, const Axis *axis, bool up, int room, double ticks[TICKS_MAX])
 {
-    int zero = 0;
-    for (int i = 0; i < count; i++)
-        if (fabs(ticks[i]) < fabs(ticks[zero]))
-            zero = i;
+    const int count = axis_ticks(axis, ticks);
+    int zero = 0, cells[TICKS_MAX];
+    for (int i = 0; i < count; i++) {
+        cells[i] = up ? axis_row(axis, ticks[i], room) : axis_column(axis, ticks[i], room);
+        zero = fabs(ticks[i]) < fabs(ticks[zero]) ? i : zero;
+    }
     for (int stride = area.canvas->large && count > 3 ? 2 : 1; stride < count; stride++)
         for (int turn = 0; turn < stride; turn++) {
             /* Cells are whole: where all are two apart or more one cell is rounding, but two beside one is
@@ -343,10 +345,7 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     for (int row = 0; row < rows; row++)
         area_put(area, gutter, row, 0x2502, STYLE_FRAME);
     int zero = y->low < 0 && y->high > 0 ? axis_row(y, 0, rows) : -1;
-    int cells[TICKS_MAX], count = axis_ticks(y, ticks), before = rows + 1;
-    for (int i = 0; i < count; i++)
-        cells[i] = axis_row(y, ticks[i], rows);
-    count = even_ticks(area, y, cells, count, ticks);
+    int count = even_ticks(area, y, true, rows, ticks), before = rows + 1;
     for (int i = 0; i < count; i++) {
         int row = axis_row(y, ticks[i], rows);
         axis_label(y, ticks[i], text);
@@ -362,10 +361,7 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
         area_put(inner, column, zero, 0x2500, STYLE_FRAME);
 
     int name = glyphs_columns(x_name), limit = area.rect.width - (name ? name + 1 : 0), used = gutter - 1;
-    count = axis_ticks(x, ticks);
-    for (int i = 0; i < count; i++)
-        cells[i] = axis_column(x, ticks[i], columns);
-    count = even_ticks(area, x, cells, count, ticks);
+    count = even_ticks(area, x, false, columns, ticks);
     for (int i = 0; i < count; i++) {
         int column = axis_column(x, ticks[i], columns);
         axis_label(x, ticks[i], text);

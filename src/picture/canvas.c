@@ -147,27 +147,7 @@ void canvas_to_ascii(Canvas *canvas, bool letters_stay)
 
 /* --- dumps --- */
 
-char *canvas_dump(const Canvas *canvas)
-{
-    char *out = malloc((size_t)canvas->height * ((size_t)canvas->width * 4 + 1) + 1);
-    if (!out)
-        return NULL;
-    size_t used = 0;
-    for (int y = 0; y < canvas->height; y++) {
-        const Cell *row = canvas->cells + (size_t)y * (size_t)canvas->width;
-        int end = canvas->width;
-        while (end > 0 && (row[end - 1].glyph == ' ' || row[end - 1].glyph == 0))
-            end--;
-        for (int x = 0; x < end; x++)
-            if (row[x].glyph != CELL_FOLLOWS)
-                used += glyph_put(out + used, row[x].glyph ? row[x].glyph : ' ');
-        out[used++] = '\n';
-    }
-    out[used] = '\0';
-    return out;
-}
-
-char *canvas_dump_styles(const Canvas *canvas)
+static char *dump(const Canvas *canvas, bool styles)
 {
     static const char letters[STYLE_COUNT] = {
         [STYLE_NORMAL] = '.',   [STYLE_TITLE] = 'T',     [STYLE_FRAME] = '-',    [STYLE_FOCUS] = 'F',
@@ -177,20 +157,36 @@ char *canvas_dump_styles(const Canvas *canvas)
         [STYLE_THIRD] = '3',    [STYLE_GHOST_A] = 'u',   [STYLE_GHOST_B] = 'v',  [STYLE_GHOST_C] = 'w',
         [STYLE_GHOST_D] = 'x',  [STYLE_GHOST_E] = 'y',
     };
-    char *out = malloc((size_t)canvas->height * ((size_t)canvas->width + 1) + 1);
+    char *out = malloc((size_t)canvas->height * ((size_t)canvas->width * 4 + 1) + 1);
     if (!out)
         return NULL;
     size_t used = 0;
     for (int y = 0; y < canvas->height; y++) {
         const Cell *row = canvas->cells + (size_t)y * (size_t)canvas->width;
-        for (int x = 0; x < canvas->width; x++) {
-            int ramp = row[x].style - STYLE_RAMP_0;
-            out[used++] = ramp >= 0 ? "0123456789ABCDEF"[ramp % RAMP_STEPS] : letters[row[x].style];
+        int end = canvas->width;
+        while (!styles && end > 0 && (row[end - 1].glyph == ' ' || row[end - 1].glyph == 0))
+            end--;
+        for (int x = 0; x < end; x++) {
+            const int ramp = row[x].style - STYLE_RAMP_0;
+            if (styles)
+                out[used++] = ramp >= 0 ? "0123456789ABCDEF"[ramp % RAMP_STEPS] : letters[row[x].style];
+            else if (row[x].glyph != CELL_FOLLOWS)
+                used += glyph_put(out + used, row[x].glyph ? row[x].glyph : ' ');
         }
         out[used++] = '\n';
     }
     out[used] = '\0';
     return out;
+}
+
+char *canvas_dump(const Canvas *canvas)
+{
+    return dump(canvas, false);
+}
+
+char *canvas_dump_styles(const Canvas *canvas)
+{
+    return dump(canvas, true);
 }
 
 /* --- text and glyphs in a part of it -------------------------------------------------------------- */

@@ -51,43 +51,33 @@ static void note_how(const Map *map)
     /* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that fits
      * its whole path. */
     CrackFacts facts;
-    parts[TIP][0] = parts[FIT][0] = '\0';
+    const size_t size = sizeof parts[0];
     if (crack_facts(map->sim, &facts)) {
-        if (facts.measured.begun)
-            snprintf(parts[TIP], sizeof parts[TIP], "tip %.1f, %.1f mm", 1e3 * facts.measured.x,
-                     1e3 * facts.measured.y);
-        else
-            snprintf(parts[TIP], sizeof parts[TIP], "no crack yet");
+        snprintf(parts[TIP], size, facts.measured.begun ? "tip %.1f, %.1f mm" : "no crack yet",
+                 1e3 * facts.measured.x, 1e3 * facts.measured.y);
         if (isfinite(facts.angle))
-            snprintf(parts[FIT], sizeof parts[TIP], "whole path %.0f°", fabs(facts.angle));
+            snprintf(parts[FIT], size, "whole path %.0f°", fabs(facts.angle));
     }
     if (map->scene.leaves) {
         const double length = settings_geometry(map->settings)->length +
                               settings_motion(map->settings)->speed * simulation_time(map->sim);
-        snprintf(parts[TIP], sizeof parts[TIP], "length %.1f mm", 1e3 * length);
+        snprintf(parts[TIP], size, "length %.1f mm", 1e3 * length);
     }
     /* What passes between the particles and a mesh that is seen. */
-    const size_t size = sizeof parts[FLOW];
-    static const char *const words[] = {[FLOW_NONE] = "",
-                                        [FLOW_TO_NODES] = "particles give to nodes",
-                                        [FLOW_TO_PARTICLES] = "particles take",
-                                        [FLOW_FORGET] = ""};
     bool inside;
     const Flow flow = flow_of_stage(map->screen, &inside);
-    snprintf(parts[FLOW], size, "%s", map_has_mesh(map) ? words[flow] : "");
+    if (map_has_mesh(map) && (flow == FLOW_TO_NODES || flow == FLOW_TO_PARTICLES))
+        snprintf(parts[FLOW], size, flow == FLOW_TO_NODES ? "particles give to nodes" : "particles take");
     if (map_has_mesh(map) && inside && experiment_stage(map->screen->experiment) == 0)
         text_append(parts[FLOW], size, "%sthe grid is forgotten", parts[FLOW][0] ? ", " : "");
-    map_cross_text(map, parts[CROSS], sizeof parts[CROSS]);
+    map_cross_text(map, parts[CROSS], size);
     if (map->drawn->enlarged != 1)
-        snprintf(parts[ENLARGED], sizeof parts[ENLARGED], "%s × %s", map->scene.leaves ? "uy" : "u",
+        snprintf(parts[ENLARGED], size, "%s × %s", map->scene.leaves ? "uy" : "u",
                  text_factor(map->drawn->enlarged).text);
     if (magnified > 1)
-        snprintf(parts[MAGNIFIED], sizeof parts[MAGNIFIED], "zoom %s", text_factor(magnified).text);
-    if (map->picture->stretch != 1)
-        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "height × %s",
-                 text_factor(map->picture->stretch).text);
-    else
-        snprintf(parts[STRETCHED], sizeof parts[STRETCHED], "to scale");
+        snprintf(parts[MAGNIFIED], size, "zoom %s", text_factor(magnified).text);
+    snprintf(parts[STRETCHED], size, map->picture->stretch != 1 ? "height × %s" : "to scale",
+             text_factor(map->picture->stretch).text);
     for (int i = 0; i < PARTS; i++)
         if (parts[order[i]][0])
             text_append(text, sizeof text, "%s%s", text[0] ? "  " : "", parts[order[i]]);

@@ -47,20 +47,6 @@ static double shown(const Study *study, double value)
 
 /* --- words ---------------------------------------------------------------------------------------- */
 
-/* "  order: 2 x 2 2.00, 3 x 3 2.01" */
-static void append_orders(const Study *study, char out[160])
-{
-    const int points = study->line_points;
-    for (int line = 0; line < study->lines && study->known - line * study->line_points >= points; line++) {
-        const double fitted = convergence_fitted_order(study->points + line * points, points);
-        text_append(out, 160, line > 0 ? ", %s" : "  order: %s", study->of->lines[line]);
-        if (isfinite(fitted))
-            text_append(out, 160, " %.2f", fitted);
-        else
-            text_append(out, 160, " none");
-    }
-}
-
 static void verdict_of(const Screen *screen, const Study *study, char out[160])
 {
     if (study->known < study->count && screen_is_running(screen) && !screen->panes.lecture) {
@@ -75,9 +61,18 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
                          : convergence_order(&study->points[n - 2], &study->points[n - 1]),
                  fitted = convergence_fitted_order(study->points, study->known);
     snprintf(out, 160, "%d of %d points", study->known, study->count);
+    const int points = study->line_points;
+    for (int line = 0; study->of->lines && line < study->lines; line++) {
+        /* "  order: 2 x 2 2.00, 3 x 3 2.01" */
+        if (study->known - line * study->line_points < points)
+            return;
+        const double of_line = convergence_fitted_order(study->points + line * points, points);
+        text_append(out, 160, line > 0 ? ", %s" : "  order: %s", study->of->lines[line]);
+        text_append(out, 160, isfinite(of_line) ? " %.2f" : " none", of_line);
+    }
     if (study->of->lines)
-        append_orders(study, out);
-    else if (study->of->paper)
+        return;
+    if (study->of->paper)
         text_append(out, 160, "  the layers make the beam thinner: see its height");
     else if (isfinite(study->limit)) {
         /* The error does not vanish however small the horizon is: said, lest the curve be taken for one

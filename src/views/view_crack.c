@@ -10,7 +10,6 @@
 #include "answers/crack_growth.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 static bool has_crack(const Screen *screen)

@@ -14,7 +14,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Part of the dispersion view: waves in the plane of bonds. */
 

@@ -6,7 +6,6 @@
 #include "views/view.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { LOG_MAX = 2 * EVENT_LOG_MAX };

@@ -10,7 +10,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { MARKS_MAX = 12, PEAKS_MAX = 4, PERIODS_LEAST = 2 };
 

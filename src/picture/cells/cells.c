@@ -7,7 +7,6 @@
 #include "picture/places.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 enum {

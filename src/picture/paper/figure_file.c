@@ -138,52 +138,43 @@ static double plot_height(const Figure *figure)
 /* Draws the page, or measures it if there is no paper: its height follows from what is on it. */
 static double lay_out(Paper *paper, const Figure *figure, double height)
 {
-    if (figure->bare) {
-        /* Pictures alone, each with its axes and, beside others, its time. */
-        const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
-        const double wide = panel_width(figure, figure->count);
-        const double caption = figure->count > 1 ? LINE_HEIGHT * SIZE_WORDS : 0;
-        double high = plot_height(figure) + caption;
-        if (height > 0)
-            high = (height - 2 * BARE_MARGIN - (rows - 1) * MARGIN) / rows;
-        for (int i = 0; i < figure->count && paper; i++) {
-            const double x = BARE_MARGIN + i % columns * (wide + MARGIN);
-            const double y = BARE_MARGIN + i / columns * (high + MARGIN);
-            const Type words = {.size = SIZE_WORDS, .bold = true};
-            if (caption > 0)
-                draw_words(paper, x, y + SIZE_WORDS, figure->panels[i]->caption, &words);
-            draw_plot(paper, &figure->panels[i]->picture, (Box){x, y + caption, wide, high - caption});
-        }
-        return 2 * BARE_MARGIN + rows * high + (rows - 1) * MARGIN;
-    }
-    const double width = figure->width * MILLIMETRES - 2 * MARGIN;
-    const Picture *common = common_of(figure);
-    const Type title = {.size = SIZE_TITLE, .bold = true};
+    const bool bare = figure->bare; /* pictures alone, each with its axes and, beside others, its time */
+    const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
+    const double wide = panel_width(figure, figure->count), width = figure->width * MILLIMETRES - 2 * MARGIN;
+    const double margin = bare ? BARE_MARGIN : MARGIN;
+    const double caption = figure->count > 1 ? LINE_HEIGHT * SIZE_WORDS : 0; /* of a bare one */
+    const Picture *common = bare ? NULL : common_of(figure);
+    const Type title = {.size = SIZE_TITLE, .bold = true}, words = {.size = SIZE_WORDS, .bold = true};
     const Box whole = {MARGIN, MARGIN, width, 0};
-    double y = MARGIN;
-    y += draw_phrases(paper, figure->title, whole, &title) + (figure->title[0] ? 3 : 0);
+    double y = margin, around = bare ? caption : 0;
+    if (!bare)
+        y += draw_phrases(paper, figure->title, whole, &title) + (figure->title[0] ? 3 : 0);
     if (common) {
         y += draw_legend_rows(paper, common, (Box){MARGIN, y, width, 0}) + 2;
         y += draw_heat_bar(paper, common, (Box){MARGIN, y, width, 0}) + 2;
         y += draw_notes(paper, common, true, (Box){MARGIN, y, width, 0}) + 4;
     }
-
-    const double foot = draw_phrases(NULL, figure->parameters, whole, &small);
-    const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
-    const double wide = panel_width(figure, figure->count);
-    double around = 0;
-    for (int i = 0; i < figure->count; i++)
+    const double foot = bare ? 0 : draw_phrases(NULL, figure->parameters, whole, &small) + 6;
+    for (int i = 0; i < figure->count && !bare; i++)
         around = fmax(around, draw_panel(NULL, figure->panels[i], (Box){0, 0, wide, 0}, !common));
     double high = plot_height(figure) + around;
     if (height > 0)
-        high = (height - y - foot - 6 - MARGIN - (rows - 1) * MARGIN) / rows;
-    for (int i = 0; i < figure->count && paper; i++)
-        draw_panel(
-            paper, figure->panels[i],
-            (Box){MARGIN + i % columns * (wide + MARGIN), y + i / columns * (high + MARGIN), wide, high},
-            !common);
-    y += rows * high + (rows - 1) * MARGIN + 6;
-    return y + draw_phrases(paper, figure->parameters, (Box){MARGIN, y, width, 0}, &small) + MARGIN;
+        high = (height - y - foot - margin - (rows - 1) * MARGIN) / rows;
+    for (int i = 0; i < figure->count && paper; i++) {
+        const FigurePanel *panel = figure->panels[i];
+        const Box box = {margin + i % columns * (wide + MARGIN), y + i / columns * (high + MARGIN), wide,
+                         high};
+        if (bare && caption > 0)
+            draw_words(paper, box.x, box.y + SIZE_WORDS, panel->caption, &words);
+        if (bare)
+            draw_plot(paper, &panel->picture, (Box){box.x, box.y + caption, wide, high - caption});
+        else
+            draw_panel(paper, panel, box, !common);
+    }
+    y += rows * high + (rows - 1) * MARGIN + (bare ? 0 : 6);
+    if (!bare)
+        y += draw_phrases(paper, figure->parameters, (Box){MARGIN, y, width, 0}, &small);
+    return y + margin;
 }
 
 #define WIDTH_DEFAULT 160.0 /* mm: the text of an A4 page */

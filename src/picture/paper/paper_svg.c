@@ -37,15 +37,18 @@ static void put_attribute(FILE *stream, const char *name, double value)
     fputc('"', stream);
 }
 
+static void put_pair(FILE *stream, double x, double y)
+{
+    put_number(stream, x);
+    fputc(',', stream);
+    put_number(stream, y);
+}
+
 static void put_points(FILE *stream, const double *points, size_t count)
 {
-    fputs(" points=\"", stream);
     for (size_t i = 0; i < count; i++) {
-        if (i > 0)
-            fputc(' ', stream);
-        put_number(stream, points[2 * i]);
-        fputc(',', stream);
-        put_number(stream, points[2 * i + 1]);
+        fputs(i > 0 ? " " : " points=\"", stream);
+        put_pair(stream, points[2 * i], points[2 * i + 1]);
     }
     fputc('"', stream);
 }
@@ -56,15 +59,11 @@ static void put_pencil(FILE *stream, const Pencil *pencil)
     put_attribute(stream, "stroke-width", pencil->width);
     if (pencil->round)
         fputs(" stroke-linecap=\"round\"", stream);
-    if (pencil->dashes[0] <= 0)
-        return;
-    fputs(" stroke-dasharray=\"", stream);
     for (int i = 0; i < 4 && pencil->dashes[i] > 0; i++) {
-        if (i > 0)
-            fputc(' ', stream);
+        fputs(i > 0 ? " " : " stroke-dasharray=\"", stream);
         put_number(stream, pencil->dashes[i]);
     }
-    fputc('"', stream);
+    fputs(pencil->dashes[0] > 0 ? "\"" : "", stream);
 }
 
 /* Whether something that is clipped reaches out of the box, by more than is written. */
@@ -168,9 +167,7 @@ static void svg_text(Paper *paper, double x, double y, const char *text, const T
     fputs("<text", stream);
     if (type->upwards) {
         fputs(" transform=\"translate(", stream);
-        put_number(stream, x);
-        fputc(',', stream);
-        put_number(stream, y);
+        put_pair(stream, x, y);
         fputs(") rotate(-90)\"", stream);
     } else {
         put_attribute(stream, "x", x);

@@ -17,16 +17,6 @@ static double place_on(const Axis *axis, double value)
                                        : value;
 }
 
-static void name_axis(const Picture *picture, int axis, char *out, size_t size)
-{
-    char scale[TICK_TEXT_MAX];
-    axis_scale_text(&picture->plot.y, picture->unit, scale);
-    if (axis == 1)
-        axis_name(picture->name, scale, out, size);
-    else
-        snprintf(out, size, "%s", picture->x_name);
-}
-
 /* How an entry of the legend is shown: as a band, a dot or a piece of line. */
 static StrokeKind kind_of(const PictureKey *key)
 {
@@ -106,11 +96,10 @@ static void tex_axis(FILE *out, const Picture *picture, int which)
 {
     const Axis *axis = which ? &picture->plot.y : &picture->plot.x;
     const char letter = which ? 'y' : 'x';
-    char text[2 * PICTURE_TEXT_MAX];
+    char text[TICK_TEXT_MAX];
     double ticks[TICKS_MAX];
-    name_axis(picture, which, text, sizeof text);
     fprintf(out, "%clabel={", letter);
-    tex_words(out, text);
+    tex_words(out, which ? picture->heading : picture->x_name);
     fprintf(out, "}, %cmin=%.9g, %cmax=%.9g,\n", letter, place_on(axis, axis->low), letter,
             place_on(axis, axis->high));
     if (axis->scale == SCALE_LOG)
@@ -241,11 +230,10 @@ static void gnuplot_axis(FILE *out, const Picture *picture, int which)
 {
     const Axis *axis = which ? &picture->plot.y : &picture->plot.x;
     const char letter = which ? 'y' : 'x';
-    char text[2 * PICTURE_TEXT_MAX];
+    char text[TICK_TEXT_MAX];
     double ticks[TICKS_MAX];
-    name_axis(picture, which, text, sizeof text);
     fprintf(out, "%sset logscale %c\nset %clabel ", axis->scale == SCALE_LOG ? "" : "un", letter, letter);
-    gnuplot_words(out, text);
+    gnuplot_words(out, which ? picture->heading : picture->x_name);
     fprintf(out, "\nset %crange [%.9g:%.9g]\nset %ctics ", letter, place_on(axis, axis->low),
             place_on(axis, axis->high), letter);
     const int count = axis->scale == SCALE_ROOT ? axis_ticks(axis, ticks) : 0;

@@ -20,14 +20,6 @@
 
 /* --- the notched beam ----------------------------------------------------------------------------- */
 
-static void draw_zone(Map *map, double left, double right, double edge, double inner)
-{
-    const Stroke pen = {.line = LINE_DASHED, .style = STYLE_FRAME, .rank = RANK_ZONE, .letter = '~'};
-    map_body_line(map, (double[]){left, edge}, (double[]){left, inner}, pen);
-    map_body_line(map, (double[]){left, inner}, (double[]){right, inner}, pen);
-    map_body_line(map, (double[]){right, inner}, (double[]){right, edge}, pen);
-}
-
 int map_cracks_before(const Map *map, ShownRun runs[RUNS_MAX])
 {
     const int n_runs = runs_of(map->screen, runs);
@@ -43,14 +35,18 @@ static void draw_notch(Map *map)
     const Settings *settings = map->settings;
     const double depth = settings_bonds(settings)->protected_depth, top = settings_geometry(settings)->height;
     const double end[2] = {settings_notch(settings)->position, settings_notch(settings)->depth};
-    if (depth > 0) {
-        const double half = settings_loads(settings)->width / 2 + depth;
-        draw_zone(map, settings_loads(settings)->position - half, settings_loads(settings)->position + half,
-                  top, top - depth);
-        draw_zone(map, settings_supports(settings)->left - depth, settings_supports(settings)->left + depth,
-                  0, depth);
-        draw_zone(map, settings_supports(settings)->right - depth, settings_supports(settings)->right + depth,
-                  0, depth);
+    const double zones[3][4] = {
+        /* middle, half the width, edge, inner side */
+        {settings_loads(settings)->position, settings_loads(settings)->width / 2 + depth, top, top - depth},
+        {settings_supports(settings)->left, depth, 0, depth},
+        {settings_supports(settings)->right, depth, 0, depth}};
+    for (int z = 0; z < 3 && depth > 0; z++) {
+        const Stroke zone = {.line = LINE_DASHED, .style = STYLE_FRAME, .rank = RANK_ZONE, .letter = '~'};
+        const double left = zones[z][0] - zones[z][1], right = zones[z][0] + zones[z][1];
+        const double corners[4][2] = {
+            {left, zones[z][2]}, {left, zones[z][3]}, {right, zones[z][3]}, {right, zones[z][2]}};
+        for (int i = 0; i < 3; i++)
+            map_body_line(map, corners[i], corners[i + 1], zone);
     }
     /* the paper's angle, from the notch towards the load: an answer, as the exact curves are */
     const double side = settings_loads(settings)->position < end[0] ? -1 : 1, rise = top - depth - end[1];

@@ -10,7 +10,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static ShownRun run_of_ghost(const Ghost *ghost, int index)
 {
