@@ -34,29 +34,10 @@ static bool same_picture(const Canvas *a, const Canvas *b)
            a->cursor_y == b->cursor_y && memcmp(a->cells, b->cells, cells * sizeof *a->cells) == 0;
 }
 
-static bool keep(Camera *camera, const Canvas *canvas, Status *status)
-{
-    Canvas *last = &camera->last;
-    if ((last->width != canvas->width || last->height != canvas->height || !last->cells) &&
-        !canvas_open(last, canvas->width, canvas->height, status))
-        return false;
-    memcpy(last->cells, canvas->cells,
-           (size_t)canvas->width * (size_t)canvas->height * sizeof *canvas->cells);
-    last->cursor_x = canvas->cursor_x;
-    last->cursor_y = canvas->cursor_y;
-    return true;
-}
-
 /* Seconds of the film since the last picture. */
 static double since_last(const Camera *camera, double seconds)
 {
     return fmin((seconds - camera->taken_at) / camera->speed, camera->idle);
-}
-
-static bool begin(Camera *camera, Status *status)
-{
-    camera->film = camera->format->open(camera->stream, &camera->look, status);
-    return camera->film != NULL;
 }
 
 bool camera_goes_on(const Camera *camera)
@@ -77,24 +58,33 @@ bool camera_look(Camera *camera, const Canvas *canvas, const CameraMoment *momen
     if (camera->paused)
         camera->taken_at = seconds; /* what was left out takes no time */
     camera->paused = false;
+    Canvas *last = &camera->last;
     const bool first = camera->count == 0;
     const double passed = first ? 0 : since_last(camera, seconds);
     if (!first && !moment->must && passed < (1 - 1e-9) / camera->fps)
         return true;
-    if (!first && same_picture(canvas, &camera->last))
+    if (!first && same_picture(canvas, last))
         return true;
     if (camera->count >= FILM_PICTURES_MAX)
         return status_refuse(status,
                              "the film has more than %d pictures (a part of it: --from, --to; fewer: --fps; "
                              "faster: --speed)",
                              FILM_PICTURES_MAX);
-    if (first && !begin(camera, status))
+    if (first)
+        camera->film = camera->format->open(camera->stream, &camera->look, status);
+    if (!camera->film)
         return false;
     camera->shown_at += passed;
     camera->taken_at = seconds;
     camera->count++;
-    return keep(camera, canvas, status) &&
-           camera->format->add(camera->film, canvas, camera->shown_at, status);
+    if ((last->width != canvas->width || last->height != canvas->height || !last->cells) &&
+        !canvas_open(last, canvas->width, canvas->height, status))
+        return false;
+    memcpy(last->cells, canvas->cells,
+           (size_t)canvas->width * (size_t)canvas->height * sizeof *canvas->cells);
+    last->cursor_x = canvas->cursor_x;
+    last->cursor_y = canvas->cursor_y;
+    return camera->format->add(camera->film, canvas, camera->shown_at, status);
 }
 
 bool camera_end(Camera *camera, double seconds, Status *status)

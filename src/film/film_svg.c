@@ -123,18 +123,6 @@ static void put_stretch(const Film *film, const Cell *cells, int x, int count)
     }
 }
 
-static void define_row(Film *film, Row *row)
-{
-    row->number = ++film->definitions;
-    fprintf(film->stream, "<defs><g id=\"r%ld\">", row->number);
-    for (int x = 0, end; x < film->look.width; x = end) {
-        for (end = x + 1; end < film->look.width && alike(&row->cells[x], &row->cells[end]);)
-            end++;
-        put_stretch(film, &row->cells[x], x, end - x);
-    }
-    fputs("</g></defs>\n", film->stream);
-}
-
 static Film *open_svg(FILE *stream, const FilmLook *look, Status *status)
 {
     const size_t width = (size_t)look->width, height = (size_t)look->height;
@@ -169,37 +157,37 @@ static Film *open_svg(FILE *stream, const FilmLook *look, Status *status)
     return film;
 }
 
-static bool make_room(Film *film, Status *status)
-{
-    if (film->count < film->room)
-        return true;
-    const long room = 2 * film->room + 64;
-    double *times = realloc(film->times, (size_t)room * sizeof *times);
-    film->times = times ? times : film->times;
-    long *numbers = realloc(film->numbers, (size_t)room * (size_t)film->look.height * sizeof *numbers);
-    film->numbers = numbers ? numbers : film->numbers;
-    if (!times || !numbers)
-        return status_fail(status, "out of memory");
-    film->room = room;
-    return true;
-}
-
 static bool add_to_svg(Film *film, const Canvas *canvas, double seconds, Status *status)
 {
-    const int height = film->look.height;
-    const size_t bytes = (size_t)film->look.width * sizeof(Cell);
-    Cell *cells = film->cells + (size_t)height * (size_t)film->look.width; /* one row more */
-    if (!make_room(film, status))
-        return false;
+    const int width = film->look.width, height = film->look.height;
+    const size_t bytes = (size_t)width * sizeof(Cell);
+    Cell *cells = film->cells + (size_t)height * (size_t)width; /* one row more */
+    if (film->count == film->room) {
+        const long room = 2 * film->room + 64;
+        double *times = realloc(film->times, (size_t)room * sizeof *times);
+        film->times = times ? times : film->times;
+        long *numbers = realloc(film->numbers, (size_t)room * (size_t)height * sizeof *numbers);
+        film->numbers = numbers ? numbers : film->numbers;
+        if (!times || !numbers)
+            return status_fail(status, "out of memory");
+        film->room = room;
+    }
     for (int y = 0; y < height; y++) {
         Row *row = &film->rows[y];
         /* What a picture has of row y; nothing beyond its edge. */
-        for (int x = 0; x < film->look.width; x++)
+        for (int x = 0; x < width; x++)
             cells[x] = x < canvas->width && y < canvas->height ? canvas->cells[y * canvas->width + x]
                                                                : (Cell){.glyph = ' '};
         if (row->number == 0 || memcmp(cells, row->cells, bytes) != 0) {
             memcpy(row->cells, cells, bytes);
-            define_row(film, row);
+            row->number = ++film->definitions;
+            fprintf(film->stream, "<defs><g id=\"r%ld\">", row->number);
+            for (int x = 0, end; x < width; x = end) {
+                for (end = x + 1; end < width && alike(&cells[x], &cells[end]);)
+                    end++;
+                put_stretch(film, &cells[x], x, end - x);
+            }
+            fputs("</g></defs>\n", film->stream);
         }
         film->numbers[film->count * height + y] = row->number;
     }
