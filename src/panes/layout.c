@@ -20,6 +20,8 @@ enum {
     WIDER = 130,
     PARAMETERS_WIDTH = 25,
     WIDE_PARAMETERS_WIDTH = 28,
+    LESSON_WIDTH = 37,
+    WIDE_LESSON_WIDTH = 46,
     SIDE_HEIGHT = 30,
     INSPECTOR_WIDTH = 79,
     TIMELINE_WIDTH = 100,
@@ -31,10 +33,6 @@ enum {
 
 #define TALL_SHARE 0.2 /* height over length */
 
-/* How many rows and columns panes take that both sheets have. */
-
-enum { LESSON_WIDTH = 37, WIDE_LESSON_WIDTH = 46 };
-
 /* A caption is short; a stage, a summary and a table of runs are not. */
 static bool layout_has_caption(const Screen *screen)
 {
@@ -43,26 +41,15 @@ static bool layout_has_caption(const Screen *screen)
             (screen->playback->state == STATE_COMPUTING && screen->playback->goes_on));
 }
 
-/* In a step, or right behind its last stage. */
-static bool is_inside(const Screen *screen)
-{
-    return experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment);
-}
-
 /* While a run goes on no more than the words need where there is a map: it takes the rest. */
 static int layout_box_rows(const Screen *screen, int height, bool map)
 {
     if (layout_has_caption(screen))
         return height < 27 ? 3 : height < 30 ? 4 : height < 40 || map ? 5 : 6;
     /* sums of the plane are of two directions */
-    if (height < 30 && is_inside(screen) && screen_has(screen, HAS_BODIES))
+    if (height < 30 && screen_is_inside(screen) && screen_has(screen, HAS_BODIES))
         return 7;
     return height < 22 ? 4 : height < 27 ? 5 : height < 30 ? 6 : height < 40 ? 9 : 10;
-}
-
-static int layout_lesson_width(int width)
-{
-    return width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH;
 }
 
 static int layout_strip_rows(int height)
@@ -117,9 +104,9 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
     const int box = layout_box_rows(screen, height, drawn);
     const int mesh = drawn || has_bodies ? 0 : layout_strip_rows(height);
     const int top = 1 + mesh, middle = height - 2 - box - mesh;
-    const int fields = screen->lesson->open ? layout_lesson_width(width)
-                       : width < WIDER      ? PARAMETERS_WIDTH
-                                            : WIDE_PARAMETERS_WIDTH;
+    const int fields = !screen->lesson->open ? (width < WIDER ? PARAMETERS_WIDTH : WIDE_PARAMETERS_WIDTH)
+                       : width < WIDE        ? LESSON_WIDTH
+                                             : WIDE_LESSON_WIDTH;
     /* two runs side by side take what else joins at the right */
     const bool tables = !screen->lesson->open || screen_has(screen, HAS_MESH);
     const bool side = width >= WIDE && height >= SIDE_HEIGHT && !screen_second_run(screen) && tables;
@@ -194,14 +181,6 @@ static bool is_plot(PaneId pane)
     return pane == PANE_UPPER || pane == PANE_LOWER;
 }
 
-/* Whether there are numbers to be read that no plot has. */
-static bool has_numbers(const Screen *screen)
-{
-    const RunState state = screen->playback->state;
-    return experiment_stage(screen->experiment) > 0 || state == STATE_ENDED || state == STATE_FAILED ||
-           screen_second_run(screen);
-}
-
 /* Text above; below it the pane that has the focus or, while the text has it, what the page speaks of. False:
  * the text leaves no room. */
 static bool lay_out_page(const Screen *screen, int width, int height, Layout *layout)
@@ -260,9 +239,8 @@ static int strip_rows(const Screen *screen, int height)
 /* A drawing of one thing has the terms of its stage by itself. */
 static int box_rows(const Screen *screen, int height, bool wide)
 {
-    const bool speaks =
-        (is_inside(screen) && !wide) || screen->playback->state == STATE_FAILED || screen->diagnosis[0];
-    return speaks ? layout_box_rows(screen, height, false) : 0;
+    const bool failed = screen->playback->state == STATE_FAILED, inside = screen_is_inside(screen) && !wide;
+    return inside || failed || screen->diagnosis[0] ? layout_box_rows(screen, height, false) : 0;
 }
 
 /* In one column: the picture, or over it what one thing gives and takes. */
@@ -275,29 +253,24 @@ static void lay_out_picture(const Screen *screen, Rect rect, Layout *layout)
         layout->panes[screen->panes.inspecting ? PANE_INSPECTOR : picture_of(screen)] = rect;
 }
 
-/* A drawing across the whole screen under the text; the strip of all particles would show it once more.
- * False: the text leaves it no room. */
-static bool lay_out_wide(const Screen *screen, int width, int height, Layout *layout)
-{
-    const int box = box_rows(screen, height, true), rows = height - 2 - box;
-    const int text = pane_lesson_rows(screen, width, rows - DRAWING_ROWS), picture = rows - text;
-    if (!screen_view_in(screen, picture_of(screen))->is_wide || screen->panes.inspecting ||
-        !screen->lesson->lesson || picture < PICTURE_LEAST)
-        return false;
-    layout->panes[PANE_PARAMETERS] = (Rect){0, 1, width, text};
-    lay_out_picture(screen, (Rect){0, 1 + text, width, picture}, layout);
-    layout->panes[PANE_BOX] = (Rect){0, 1 + text + picture, box ? width : 0, box};
-    return true;
-}
-
 static void lay_out_lesson(const Screen *screen, int width, int height, Layout *layout)
 {
-    if (lay_out_wide(screen, width, height, layout))
+    /* a drawing across the whole screen goes under the text, where that leaves it room; the strip of all
+     * particles would show it once more */
+    const bool wide = screen_view_in(screen, picture_of(screen))->is_wide && !screen->panes.inspecting &&
+                      screen->lesson->lesson;
+    const int below = box_rows(screen, height, true), rows = height - 2 - below;
+    const int lines = wide ? pane_lesson_rows(screen, width, rows - DRAWING_ROWS) : rows;
+    if (rows - lines >= PICTURE_LEAST) {
+        layout->panes[PANE_PARAMETERS] = (Rect){0, 1, width, lines};
+        lay_out_picture(screen, (Rect){0, 1 + lines, width, rows - lines}, layout);
+        layout->panes[PANE_BOX] = (Rect){0, 1 + rows, below ? width : 0, below};
         return;
+    }
     const int strip = height < LESSON_STRIP_HEIGHT ? 0 : strip_rows(screen, height),
               box = box_rows(screen, height, false);
     const int top = 1 + strip, middle = height - 2 - strip - box;
-    const int text = layout_lesson_width(width), left = text + 1;
+    const int text = width < WIDE ? LESSON_WIDTH : WIDE_LESSON_WIDTH, left = text + 1;
     /* Beside a lesson: in a lecture, and of bodies once it is known, for no plot has it. */
     char digits[NUMBER_DIGITS_MAX], words[NUMBER_WORDS_MAX];
     const bool bodies = screen_has(screen, HAS_BODIES);
@@ -438,7 +411,10 @@ Layout layout_make(const Screen *screen, int width, int height)
     layout.kind = LAYOUT_ONE_PANE;
     if (whole || !roomy || !screen->lesson->open || !screen->lesson->lesson ||
         !lay_out_page(screen, width, height, &layout)) {
-        const bool box = !whole && roomy && (is_plot(focus) || focus == PANE_MESH) && has_numbers(screen);
+        const RunState state = screen->playback->state;
+        const bool numbers = experiment_stage(screen->experiment) > 0 || state == STATE_ENDED ||
+                             state == STATE_FAILED || screen_second_run(screen); /* that no plot has */
+        const bool box = !whole && roomy && (is_plot(focus) || focus == PANE_MESH) && numbers;
         const int rows = height - 2 - (box ? BOX_ROWS : 0);
         layout.panes[focus] = (Rect){0, 1, width, rows};
         if (box)

@@ -76,20 +76,23 @@ static void draw_offers(const Screen *screen, Area area, int y, int begin)
 }
 
 /* "Solid measured, dotted exact (continuum)" as the plots over time draw them; in brief without what stands
- * in brackets. */
-static void line_words(const Screen *screen, bool brief, char *out, size_t size)
+ * in brackets. A bit for each style of line that is drawn. */
+static unsigned line_words(const Screen *screen, bool brief, char *out, size_t size)
 {
     static const char *const words[] = {
         [LINE_SOLID] = "solid", [LINE_DOTTED] = "dotted", [LINE_DASHED] = "dashed"};
     const bool ascii = screen->look.glyphs == GLYPHS_ASCII;
+    unsigned drawn = 0;
     int n;
     const Column *columns = experiment_columns(screen->experiment, &n);
     snprintf(out, size, "%s measured", ascii ? "*" : "Solid");
     for (int i = 0; i < n; i++) {
         const PictureKey legend = time_plot_key(columns, i);
         const char letter[] = {legend.ascii, '\0'};
-        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 ||
-            !time_plot_shows(screen, &columns[i]) || strstr(out, legend.name))
+        if (columns[i].kind == COLUMN_MEASURED || columns[i].of < 0 || !time_plot_shows(screen, &columns[i]))
+            continue;
+        drawn |= 1u << legend.line;
+        if (strstr(out, legend.name))
             continue;
         /* " (continuum)" behind the word "exact", and so on; beam theories have names of their own. */
         text_append(out, size, ", %s %s%s", ascii ? letter : words[legend.line], legend.name,
@@ -98,18 +101,7 @@ static void line_words(const Screen *screen, bool brief, char *out, size_t size)
                              : strcmp(legend.name, "predicted") == 0 ? " (this mesh)"
                                                                      : ""));
     }
-}
-
-/* Whether a plot over time draws a reference so. */
-static bool is_drawn(const Screen *screen, LineStyle line)
-{
-    int n;
-    const Column *columns = experiment_columns(screen->experiment, &n);
-    for (int i = 0; i < n; i++)
-        if (columns[i].kind != COLUMN_MEASURED && columns[i].of >= 0 &&
-            time_plot_shows(screen, &columns[i]) && time_plot_key(columns, i).line == line)
-            return true;
-    return false;
+    return drawn;
 }
 
 /* Takes the sentences with a word out of a text. */
@@ -184,14 +176,6 @@ static void draw_caption_heading(const Screen *screen, Area area, const char *li
     }
 }
 
-/* A text that ends in row `last` and has room from row `first` on. Returns its rows. */
-static int draw_from_below(Area area, int first, int last, const char *text, Style style)
-{
-    const int width = area.rect.width - 2, lines = area_paragraph_lines(width, text);
-    const int top = last - lines + 1 > first ? last - lines + 1 : first;
-    return last >= first ? area_paragraph(area, 1, top, width, last - top + 1, text, style) : 0;
-}
-
 /* What happened last or, as long as nothing has, what is advised; false: neither. */
 static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
 {
@@ -215,7 +199,7 @@ static void draw_caption(const Screen *screen, Area area)
 {
     const int width = area.rect.width - 2, rows = area.rect.height;
     char lines[256], news[512], hint[160];
-    line_words(screen, false, lines, sizeof lines);
+    const unsigned drawn = line_words(screen, false, lines, sizeof lines);
     if (5 + glyphs_columns(lines) > area.rect.width)
         line_words(screen, true, lines, sizeof lines);
     const bool in_heading =
@@ -233,15 +217,17 @@ static void draw_caption(const Screen *screen, Area area)
     }
     if (!in_heading && last - needed >= y)
         y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
-    if (has_news)
-        last -= draw_from_below(area, y, last, news, style);
+    if (has_news && last >= y) { /* from below */
+        const int top = last - needed + 1 > y ? last - needed + 1 : y;
+        last -= area_paragraph(area, 1, top, width, last - top + 1, news, style);
+    }
     char about[ABOUT_MAX];
     /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
      * have left, or be hidden. */
     memcpy(about, screen_settings(screen)->about, ABOUT_MAX);
-    if (!is_drawn(screen, LINE_DOTTED))
+    if (!(drawn >> LINE_DOTTED & 1))
         drop_sentences(about, "otted");
-    if (!is_drawn(screen, LINE_DASHED))
+    if (!(drawn >> LINE_DASHED & 1))
         drop_sentences(about, "ashed");
     keep_sentences(about, width, last - y + 1);
     if (about[0])
@@ -306,26 +292,20 @@ static void draw_summary(const Screen *screen, Area area)
 
 enum { BOX_LEAST = 4 }; /* rows in which there is more to be said than a heading */
 
-static bool is_between_steps(const Screen *screen)
-{
-    return experiment_stage(screen->experiment) == 0 && !experiment_before(screen->experiment);
-}
-
 bool screen_shows_diagnosis(const Screen *screen, int width, int height)
 {
     const Rect box = screen_pane(screen, width, height, PANE_BOX);
-    return screen->diagnosis[0] && is_between_steps(screen) &&
+    return screen->diagnosis[0] && !screen_is_inside(screen) &&
            box.height - pane_runs_rows(screen) >= BOX_LEAST;
 }
 
-/* True: the ghosts are named in it. */
-static bool draw_box(const Screen *screen, Area area)
+void pane_box(const Screen *screen, Area area)
 {
-    const bool between = is_between_steps(screen);
-    const int table = between ? pane_runs(screen, area) : 0;
+    const bool between = !screen_is_inside(screen);
+    const int table = between ? pane_runs(screen, area) : 0; /* the ghosts are named in it */
     area = area_part(area, 0, table, area.rect.width, area.rect.height - table);
     if (table > 0 && area.rect.height < BOX_LEAST)
-        return true;
+        return;
     if (screen->diagnosis[0] && between) {
         /* It stays until the series beside it goes. */
         area_rule(area, "Your code beside the right one   :overlay takes it away", STYLE_HEADING);
@@ -340,29 +320,24 @@ static bool draw_box(const Screen *screen, Area area)
         draw_summary(screen, area);
     else
         pane_stage(screen, area);
-    return table > 0;
-}
-
-void pane_box(const Screen *screen, Area area)
-{
-    if (!draw_box(screen, area) && area.rect.height > 0) {
-        /* In the longest free piece of the box's upper edge. */
-        enum { RULE = 0x2500, LEAST = 6 };
-        const Canvas *canvas = area.canvas;
-        int begin = 0, columns = 0;
-        for (int x = 0, run = 0; x < area.rect.width; x++) {
-            const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
-            run = cell->glyph == RULE ? run + 1 : 0;
-            if (run > columns)
-                columns = run, begin = x + 1 - run;
-        }
-        char text[160];
-        runs_ghost_names(screen, columns - 4, text, sizeof text);
-        if (columns >= LEAST && text[0]) {
-            const int end = begin + columns - 1, width = glyphs_columns(text);
-            area_text_right(area, end, 0, " ", STYLE_FRAME);
-            area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
-            area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
-        }
+    if (table > 0 || area.rect.height <= 0)
+        return;
+    /* The ghosts, in the longest free piece of the box's upper edge. */
+    enum { RULE = 0x2500, LEAST = 6 };
+    const Canvas *canvas = area.canvas;
+    int begin = 0, columns = 0;
+    for (int x = 0, run = 0; x < area.rect.width; x++) {
+        const Cell *cell = &canvas->cells[area.rect.y * canvas->width + area.rect.x + x];
+        run = cell->glyph == RULE ? run + 1 : 0;
+        if (run > columns)
+            columns = run, begin = x + 1 - run;
+    }
+    char text[160];
+    runs_ghost_names(screen, columns - 4, text, sizeof text);
+    if (columns >= LEAST && text[0]) {
+        const int end = begin + columns - 1, width = glyphs_columns(text);
+        area_text_right(area, end, 0, " ", STYLE_FRAME);
+        area_text_right(area, end - 1, 0, text, STYLE_NORMAL);
+        area_text_right(area, end - 1 - width, 0, " ", STYLE_FRAME);
     }
 }

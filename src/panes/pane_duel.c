@@ -45,15 +45,6 @@ static void draw_group(Area area, const Comparison *rows, int count, int heading
     }
 }
 
-/* The scenario's title asks what the duel is to answer. */
-static const char *heading_of(const Experiment *experiment, int width)
-{
-    enum { LETTERS = 16 }; /* of the last columns */
-    const Settings *settings = experiment_settings(experiment);
-    const char *title = settings->title[0] ? settings->title : settings->problem->title;
-    return 5 + glyphs_columns(title) + LETTERS < width ? title : "Duel";
-}
-
 /* "A usf", "B usl"; false: there is no room for it. */
 static bool name_values(Comparison *row, const int values[2])
 {
@@ -80,7 +71,12 @@ void pane_duel(const Screen *screen, Area area)
             (rows[i].kind == COLUMN_PREDICTED && screen_shows_predicted(screen)))
             rows[count++] = rows[i];
     const int height = area.rect.height - 1;
-    const char *heading = heading_of(screen->experiment, area.rect.width);
+    enum { LETTERS = 16 }; /* of the last columns */
+    const Settings *settings = screen_settings(screen);
+    /* the scenario's title asks what the duel is to answer */
+    const char *heading = settings->title[0] ? settings->title : settings->problem->title;
+    if (5 + glyphs_columns(heading) + LETTERS >= area.rect.width)
+        heading = "Duel";
     measure(rows, count, &label, values);
     const int width = 1 + label + 1 + values[0] + 1 + values[1] + 1;
     int groups = area.rect.width / width;
@@ -142,18 +138,16 @@ int pane_runs(const Screen *screen, Area area)
         area_text_right(area, x, 0, headings[i], STYLE_NORMAL);
     }
     for (int i = 0; i < n_runs; i++) {
-        char name[RUN_WORD_MAX + 4];
         /* "a cell size 1"; of the present run what differs from an earlier one. */
-        const size_t size = sizeof name;
-        char word[RUN_WORD_MAX];
+        char name[RUN_WORD_MAX + 4], word[RUN_WORD_MAX];
         snprintf(word, sizeof word, "%s", runs[i].word);
         if (runs[i].ghost < 0)
             for (int j = 0; j < n_runs && runs[j].ghost >= 0; j++)
                 if (!settings_same(runs[i].settings, runs[j].settings))
                     settings_name(runs[i].settings, runs[j].settings, word, sizeof word);
-        snprintf(name, size, "%c %s", runs[i].ghost >= 0 ? runs[i].letter : ' ', word);
-        area_text(area_part(area, 1, 1 + i, NAME_COLUMNS, 1), 0, 0, name, runs[i].style);
+        snprintf(name, sizeof name, "%c %s", runs[i].ghost >= 0 ? runs[i].letter : ' ', word);
         const int y = 1 + i;
+        area_text(area_part(area, 1, y, NAME_COLUMNS, 1), 0, 0, name, runs[i].style);
         const Readout *readout = runs[i].readout;
         char text[32];
         double values[4];

@@ -74,33 +74,12 @@ static const Offers magnified_keys = {{PAIR(LEFT, RIGHT, "move"), PAIR(UP, DOWN,
                                        PAIR(FASTER, SLOWER, "size"), AS(CANCEL, "whole"), KEY(RUN_PAUSE),
                                        KEY(STEP_FORWARD), KEY(STAGE_FORWARD), KEY(ZOOM)}};
 
-/* Of the parameters' pane. */
-static const Offers *offers_of_fields(const Screen *screen)
-{
-    RowPlace place;
-    if (screen->lesson->open) {
-        if (!screen->lesson->lesson)
-            return &lessons_keys;
-        const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
-        if (page->n_fields > 0)
-            return &lesson_fields_keys;
-        return page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP ? &lesson_stages_keys
-                                                                                 : &lesson_keys;
-    }
-    if (screen_is_plain(screen) && screen->offers_lesson)
-        return &plain_at_first_keys;
-    if (screen_selected_row(screen, &place) && !place.value)
-        return &rows_of_plate_keys;
-    if (screen_is_plain(screen))
-        return &plain_keys;
-    return NULL;
-}
-
 /* Help aside, of which the first page tells them. */
 static const Offers *offers_of(const Screen *screen)
 {
-    const bool in_fields = screen->panes.focus == PANE_PARAMETERS;
+    const bool in_fields = screen->panes.focus == PANE_PARAMETERS, plain = screen_is_plain(screen);
     const RunState state = screen->playback->state;
+    RowPlace place;
     if (screen->parameters->edit.open)
         return &editing_keys;
     if (state == STATE_COMPUTING)
@@ -109,9 +88,19 @@ static const Offers *offers_of(const Screen *screen)
         return &lecture_keys;
     if (screen->eye.open && !in_fields)
         return &magnified_keys;
-    const Offers *own = in_fields ? offers_of_fields(screen) : NULL;
-    if (own)
-        return own;
+    if (in_fields && screen->lesson->open && !screen->lesson->lesson)
+        return &lessons_keys;
+    if (in_fields && screen->lesson->open) {
+        const LessonPage *page = &screen->lesson->lesson->pages[screen->lesson->page];
+        const bool steps = page->until.kind == UNTIL_STAGE || page->until.kind == UNTIL_STEP;
+        return page->n_fields > 0 ? &lesson_fields_keys : steps ? &lesson_stages_keys : &lesson_keys;
+    }
+    if (in_fields && plain && screen->offers_lesson)
+        return &plain_at_first_keys;
+    if (in_fields && screen_selected_row(screen, &place) && !place.value)
+        return &rows_of_plate_keys;
+    if (in_fields && plain)
+        return &plain_keys;
     if (state == STATE_RUNNING)
         return in_fields ? &running_parameters_keys : &running_keys;
     if (state == STATE_ENDED || state == STATE_FAILED)
@@ -157,36 +146,15 @@ static const char *word_of(const Screen *screen, const Command *command)
                                                                                : pane_command_brief(command);
 }
 
-enum { KEYS_OF_ONE_PANE = 80 };
-
-static int find_offer(const Offer *offers, int count, CommandId id)
+static void bring_forward(Offer *offers, CommandId id, int to)
 {
-    for (int i = 0; i < count; i++)
-        if (offers[i].id == id)
-            return i;
-    return -1;
-}
-
-/* The one that stands at a place once the one at `from` was brought forward, if that is forward, to `to`. */
-static int brought(int from, int to, int place)
-{
-    if (from < to || place < to || place > from)
-        return place;
-    return place == to ? from : place - 1;
-}
-
-/* The offer that stands at a place of the bar. Where one pane is seen at a time and room is short, the key to
- * the others comes second and that to all keys fourth, wherever they are on the list. */
-static const Offer *offer_at(const Offer *offers, int count, int width, int place)
-{
-    enum { PANE_PLACE = 1, HELP_PLACE = 3 };
-    const int pane = find_offer(offers, count, COMMAND_NEXT_PANE);
-    int help = find_offer(offers, count, COMMAND_HELP);
-    if (width >= KEYS_OF_ONE_PANE)
-        return &offers[place];
-    if (help >= PANE_PLACE && help < pane)
-        help++; /* the other one has passed it */
-    return &offers[brought(pane, PANE_PLACE, brought(help, HELP_PLACE, place))];
+    for (int i = to + 1; i < KEY_OFFERS_MAX; i++)
+        if (offers[i].id == id) {
+            const Offer brought = offers[i];
+            memmove(&offers[to + 1], &offers[to], (size_t)(i - to) * sizeof brought);
+            offers[to] = brought;
+            return;
+        }
 }
 
 static bool describe_offer(const Screen *screen, const Offer *offer, KeyOffer *out)
@@ -216,14 +184,19 @@ int pane_key_offers(const Screen *screen, KeyOffer out[KEY_OFFERS_MAX])
 /* Lays the offers out from the left; draws them if `area` is not NULL. Returns the command at column x. */
 static CommandId lay_out_bar(const Screen *screen, int width, const Area *area, int wanted_x)
 {
-    const Offer *offers = (screen->help->open ? &help_keys : offers_of(screen))->all;
-    int count = 0, x = 1;
-    while (count < KEY_OFFERS_MAX && offers[count].id != COMMAND_NONE)
-        count++;
+    enum { KEYS_OF_ONE_PANE = 80, PANE_PLACE = 1, HELP_PLACE = 3 };
+    Offers offers = screen->help->open ? help_keys : *offers_of(screen);
     CommandId found = COMMAND_NONE;
-    for (int i = 0; i < count; i++) {
+    int x = 1;
+    /* Where one pane is seen at a time and room is short, the key to the others comes second and that to all
+     * keys fourth, wherever they are on the list. */
+    if (width < KEYS_OF_ONE_PANE) {
+        bring_forward(offers.all, COMMAND_NEXT_PANE, PANE_PLACE);
+        bring_forward(offers.all, COMMAND_HELP, HELP_PLACE);
+    }
+    for (int i = 0; i < KEY_OFFERS_MAX && offers.all[i].id != COMMAND_NONE; i++) {
         KeyOffer offer;
-        if (!describe_offer(screen, offer_at(offers, count, width, i), &offer))
+        if (!describe_offer(screen, &offers.all[i], &offer))
             continue;
         const int first = glyphs_columns(offer.keys[0]),
                   keys = first + (offer.pair ? 1 + glyphs_columns(offer.keys[1]) : 0);
@@ -266,23 +239,18 @@ static int draw_notice(Area bar, int y, const char *text, Style style)
 
 /* --- the scenarios to choose from ----------------------------------------------------------------- */
 
-static int widest(const ScenarioList *list, bool of_titles)
-{
-    int width = 0;
-    for (int i = 0; i < list->n_shown; i++) {
-        const int entry = list->shown[i];
-        const int columns =
-            glyphs_columns(of_titles ? list->entries[entry].title : list->entries[entry].name);
-        width = columns > width ? columns : width;
-    }
-    return width;
-}
-
 /* On as many rows as there are and fit, above row `bottom`. */
 static void pane_scenarios(const ScenarioList *list, Area area, int bottom)
 {
-    const int names = widest(list, false), width = area.rect.width;
-    const bool beside = 1 + names + 2 + widest(list, true) + 1 <= width;
+    const int width = area.rect.width;
+    int names = 0, titles = 0; /* the widest of them */
+    for (int i = 0; i < list->n_shown; i++) {
+        const int name = glyphs_columns(list->entries[list->shown[i]].name),
+                  title = glyphs_columns(list->entries[list->shown[i]].title);
+        names = name > names ? name : names;
+        titles = title > titles ? title : titles;
+    }
+    const bool beside = 1 + names + 2 + titles + 1 <= width;
     const char *chosen = list->chosen >= 0 ? list->entries[list->shown[list->chosen]].title : "";
     const int below = !beside && *chosen ? area_paragraph_lines(width - 2, chosen) : 0;
     const int room = bottom - 1 - below; /* the title line stays */

@@ -41,31 +41,16 @@ static void write_indented(Scribe *pen, const char *text)
     pen->y += lines;
 }
 
-/* "After it a student can choose a mass matrix. 15 min. First: late." */
-static void write_objective(Scribe *pen, const BuiltinLesson *lesson)
-{
-    char text[512] = "";
-    if (lesson->objective)
-        text_append(text, sizeof text, "After it a student can %s. ", lesson->objective);
-    if (lesson->minutes)
-        text_append(text, sizeof text, "%s min. ", lesson->minutes);
-    if (lesson->prerequisites)
-        text_append(text, sizeof text, "First: %s.", lesson->prerequisites);
-    if (*text)
-        write_indented(pen, text);
-}
-
 /* In groups, each under its name; of the chosen lesson its objective too. */
 static void write_list(Scribe *pen, const Screen *screen)
 {
     const char *group = "";
     for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++) {
-        const char *own = builtin_lessons[i].group;
-        if (own && strcmp(group, own) != 0)
-            area_text(pen->area, 1, pen->y++, group = own, STYLE_HEADING);
+        const BuiltinLesson *lesson = &builtin_lessons[i];
+        if (lesson->group && strcmp(group, lesson->group) != 0)
+            area_text(pen->area, 1, pen->y++, group = lesson->group, STYLE_HEADING);
         if (pen->titles)
             pen->titles[i] = pen->y;
-        const BuiltinLesson *lesson = &builtin_lessons[i];
         const bool chosen = i == screen->lesson->chosen;
         const Style style = chosen ? STYLE_SELECTED : STYLE_NORMAL;
         const int width = pen->area.rect.width;
@@ -82,8 +67,18 @@ static void write_list(Scribe *pen, const Screen *screen)
         area_text_right(pen->area, width - 1, pen->y++, pages, chosen ? style : STYLE_FAINT);
         if (lesson->about && (chosen || pen->about))
             write_indented(pen, lesson->about);
-        if (chosen && pen->tall)
-            write_objective(pen, lesson);
+        if (chosen && pen->tall) {
+            /* "After it a student can choose a mass matrix. 15 min. First: late." */
+            char text[512] = "";
+            if (lesson->objective)
+                text_append(text, sizeof text, "After it a student can %s. ", lesson->objective);
+            if (lesson->minutes)
+                text_append(text, sizeof text, "%s min. ", lesson->minutes);
+            if (lesson->prerequisites)
+                text_append(text, sizeof text, "First: %s.", lesson->prerequisites);
+            if (*text)
+                write_indented(pen, text);
+        }
         pen->end = pen->y;
     }
 }
@@ -272,19 +267,18 @@ void pane_lesson(const Screen *screen, Area area)
     const int used = area_text(area, 1, area.rect.height - 1, footer, STYLE_KEY) + 2;
     if (pen.end > rows) {
         /* What is below the last row: of the list so many lessons. */
-        const int last = area.rect.height - 1, end = area.rect.width - 1, more_rows = last + 1 - MARGIN_ROWS;
+        const int end = area.rect.width - 1;
         char more[3][32] = {"↓ more below", "↓ more", "↓"};
         if (!screen->lesson->lesson) {
-            int more_titles[LESSONS_MAX + 1], below = 0;
-            list_lines(screen, area, more_titles);
+            int below = 0;
             for (int i = 0; i < screen_lesson_count(); i++)
-                below += more_titles[i] - above >= more_rows;
+                below += titles[i] - above >= rows;
             snprintf(more[0], sizeof more[0], "↓ %d more lessons", below);
             snprintf(more[1], sizeof more[1], "↓ %d more", below);
         }
         for (size_t i = 0; i < sizeof more / sizeof *more; i++)
             if (used + glyphs_columns(more[i]) < end) {
-                area_text_right(area, end, last, more[i], STYLE_FAINT);
+                area_text_right(area, end, area.rect.height - 1, more[i], STYLE_FAINT);
                 break;
             }
     }

@@ -24,14 +24,6 @@ static const struct {
     {'w', 000577}, {0xb5, 055744}, {'.', 000002}, {'-', 000700}, {'+', 002720}, {'%', 051245}, {'?', 061202},
 };
 
-static unsigned rows_of(uint32_t glyph)
-{
-    for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-        if (letters[i].glyph == glyph)
-            return letters[i].rows;
-    return 0;
-}
-
 static bool is_set(unsigned rows, int x, int y)
 {
     return y < HIGH && (rows >> 3 * (HIGH - 1 - y) >> (WIDE - 1 - x) & 1);
@@ -118,7 +110,10 @@ static void draw_number(const Screen *screen, Area area, Size size, char run)
     int x = 2;
     const char *text = digits;
     for (uint32_t glyph; (glyph = glyph_next(&text)) != 0; x += (WIDE + GAP) * size.columns) {
-        const unsigned rows = rows_of(glyph);
+        unsigned rows = 0;
+        for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
+            if (letters[i].glyph == glyph)
+                rows = letters[i].rows;
         for (int y = 0; y < digit_rows(size); y++)
             for (int i = 0; i < WIDE * size.columns; i++) {
                 const int column = i / size.columns;

@@ -82,7 +82,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
          * anything. */
         if (!parameter_applies_to(settings, parameter) ||
             (parameter->wrong && !*screen->parameters->filter &&
-             !settings_are_at_work(screen_settings(screen), parameter)) ||
+             !settings_are_at_work(settings, parameter)) ||
             !passes(screen->parameters, parameter->label, parameter->key))
             continue;
         if (strcmp(parameter->group, group) != 0)
@@ -129,13 +129,13 @@ int screen_row_of(const Screen *screen, const Parameter *parameter)
 {
     ParameterRow rows[PARAMETER_ROWS_MAX];
     const int count = screen_parameter_rows(screen, rows);
-    int first = 0, found = -1;
+    int first = 0;
+    for (int i = 0; i < count; i++)
+        if (rows[i].parameter && rows[i].parameter == parameter)
+            return i;
     while (first < count && rows[first].heading)
         first++;
-    for (int i = first; i < count && found < 0; i++)
-        if (rows[i].parameter && rows[i].parameter == parameter)
-            found = i;
-    return found >= 0 ? found : first < count ? first : 0;
+    return first < count ? first : 0;
 }
 
 /* A size of a beam as the lattice has it, where that is another one than asked for; "" where it is not. */
@@ -274,20 +274,6 @@ void pane_parameter(const Screen *screen, Area area, int y, const Parameter *par
     }
 }
 
-static void draw_derived(Area area, int y, const Derived *derived, bool chosen)
-{
-    const Style style = chosen ? STYLE_SELECTED : STYLE_FAINT;
-    char value[NUMBER_TEXT_MAX];
-    if (chosen)
-        area_blank(area, 1, area.rect.width, y, style);
-    int label = area_text(area, 2, y, derived->label, style) + 2;
-    if (derived->integer)
-        snprintf(value, sizeof value, "%.0f", derived->value);
-    else
-        strcpy(value, text_fitted(derived->value, 6, area.rect.width - label - 1).text);
-    area_text_right(area, area.rect.width, y, value, style);
-}
-
 /* Below the fields: the unit of the chosen one, and what it may be. */
 enum { HINT_ROWS = 2 };
 
@@ -307,37 +293,34 @@ static bool draw_wrapped(Area area, const char *text)
     return true;
 }
 
-/* The values of a row that have no room beside its name or, while it is edited, what they are. */
-static bool draw_row_hint(const Screen *screen, Area area, const ParameterRow *row)
-{
-    const Settings *settings = screen_settings(screen);
-    const RowKind *kind = &row_kinds[row->place.kind];
-    char values[ROW_TEXT_MAX];
-    if (row->place.row == ROW_NEW || screen->parameters->edit.open)
-        return draw_wrapped(area, kind->form);
-    settings_row_show(settings, row->place.kind, row->place.row, values);
-    const int label = glyphs_columns(settings->rows[row->place.kind].rows[row->place.row].name);
-    return draw_wrapped(area, 2 + label + 1 + glyphs_columns(values) > area.rect.width ? values : kind->form);
-}
-
 static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, const Derived *derived)
 {
-    char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "";
+    const Settings *settings = screen_settings(screen);
+    char unit[96] = "", range[96] = "", real[NUMBER_TEXT_MAX] = "", values[ROW_TEXT_MAX];
     if (row->parameter) {
-        snprintf(unit, sizeof unit, "%s",
-                 parameter_in(row->parameter, screen_settings(screen)->problem).unit);
-        parameter_range(row->parameter, screen_settings(screen)->problem, range, sizeof range);
+        snprintf(unit, sizeof unit, "%s", parameter_in(row->parameter, settings->problem).unit);
+        parameter_range(row->parameter, settings->problem, range, sizeof range);
         real_text(screen, row->parameter, real);
     } else if (row->derived >= 0) {
         snprintf(unit, sizeof unit, "%s", derived[row->derived].unit);
         snprintf(range, sizeof range, "read only");
     } else if (row->is_row) {
-        if (draw_row_hint(screen, area, row))
+        /* The values that have no room beside the name or, while they are edited, what they are. */
+        const RowKind *kind = &row_kinds[row->place.kind];
+        const bool is_new = row->place.row == ROW_NEW;
+        const char *hint = kind->form;
+        if (!is_new && !screen->parameters->edit.open) {
+            const char *name = settings->rows[row->place.kind].rows[row->place.row].name;
+            settings_row_show(settings, row->place.kind, row->place.row, values);
+            if (2 + glyphs_columns(name) + 1 + glyphs_columns(values) > area.rect.width)
+                hint = values;
+        }
+        if (draw_wrapped(area, hint))
             return;
         snprintf(range, sizeof range, "%s",
-                 row->place.row == ROW_NEW          ? "Enter adds one"
-                 : row_kinds[row->place.kind].usual ? "Enter edits, p moves it"
-                                                    : "Enter edits  p C D: ?");
+                 is_new        ? "Enter adds one"
+                 : kind->usual ? "Enter edits, p moves it"
+                               : "Enter edits  p C D: ?");
     }
     if (unit[0] && strcmp(unit, "1") != 0)
         area_print(area, 2, area.rect.height - 2, STYLE_FAINT, real[0] ? "in %s, lattice %s" : "unit: %s",
@@ -345,10 +328,11 @@ static void draw_hint(const Screen *screen, Area area, const ParameterRow *row, 
     area_text(area, 2, area.rect.height - 1, range, STYLE_FAINT);
 }
 
-/* From the first one on as many as have room. */
-static void draw_rows(const Screen *screen, Area area, const ParameterRow *rows, int first, int count,
-                      const Derived *derived)
+/* As many as have room. Returns the first one that is shown. */
+static int draw_rows(const Screen *screen, Area area, const ParameterRow *rows, int count,
+                     const Derived *derived)
 {
+    const int first = pane_parameters_first(screen->parameters, count, area.rect.height);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
     for (int y = 0; y < area.rect.height && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
@@ -359,9 +343,21 @@ static void draw_rows(const Screen *screen, Area area, const ParameterRow *rows,
             pane_parameter(screen, area, y, row->parameter, chosen);
         else if (row->is_row)
             draw_row(screen, area, y, row, chosen);
-        else
-            draw_derived(area, y, &derived[row->derived], chosen && focused);
+        else {
+            const Derived *number = &derived[row->derived];
+            const Style style = chosen && focused ? STYLE_SELECTED : STYLE_FAINT;
+            char value[NUMBER_TEXT_MAX];
+            if (chosen && focused)
+                area_blank(area, 1, area.rect.width, y, style);
+            const int label = area_text(area, 2, y, number->label, style) + 2;
+            if (number->integer)
+                snprintf(value, sizeof value, "%.0f", number->value);
+            else
+                strcpy(value, text_fitted(number->value, 6, area.rect.width - label - 1).text);
+            area_text_right(area, area.rect.width, y, value, style);
+        }
     }
+    return first;
 }
 
 void pane_parameters(const Screen *screen, Area area)
@@ -372,9 +368,7 @@ void pane_parameters(const Screen *screen, Area area)
     experiment_derived(screen->experiment, derived);
     const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
     const int room = area.rect.height > HINT_ROWS ? area.rect.height - HINT_ROWS : area.rect.height,
-              first = pane_parameters_first(screen->parameters, count, room);
-
-    draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);
+              first = draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, count, derived);
     if (count == 0)
         area_text(area, 1, 0, "no parameter of that name", STYLE_FAINT);
     if (room == area.rect.height)
@@ -382,9 +376,7 @@ void pane_parameters(const Screen *screen, Area area)
     if (focused && screen->parameters->selected >= 0 && screen->parameters->selected < count)
         draw_hint(screen, area, &rows[screen->parameters->selected], derived);
     else if (first + room < count) {
-        char text[40];
-        snprintf(text, sizeof text, "%d more below", count - first - room);
-        area_text(area, 2, area.rect.height - 1, text, STYLE_FAINT);
+        area_print(area, 2, area.rect.height - 1, STYLE_FAINT, "%d more below", count - first - room);
     }
 }
 
@@ -436,9 +428,8 @@ void pane_asked(const Screen *screen, Area area)
     Derived derived[DERIVED_MAX];
     char tried[160];
     const int count = screen_parameter_rows(screen, rows), room = area.rect.height - 1;
-    const int first = pane_parameters_first(screen->parameters, count, room);
     experiment_derived(screen->experiment, derived);
-    draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, first, count, derived);
+    draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, count, derived);
     if (!screen_question(screen, tried, sizeof tried))
         return;
     const int last = count < room ? count : room;

@@ -20,37 +20,7 @@ typedef struct Subject {
     size_t index;
 } Subject;
 
-static Subject subject_of(const Screen *screen)
-{
-    Subject subject = {.screen = screen, .sim = screen_simulation(screen)};
-    const Simulation *sim = subject.sim;
-    subject.stage = screen_box_stage(screen, &subject.done);
-    subject.set = screen->chosen.is_node && simulation_has(sim, HAS_MESH);
-    const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle,
-                 count = sim->counts[subject.set];
-    subject.index = chosen < count ? chosen : count - 1;
-    return subject;
-}
-
 /* --- numbers of a thing --------------------------------------------------------------------------- */
-
-/* Two values as texts of at least so many digits, or as many more as it takes to distinguish them. */
-static void pair_text(double before, double now, NumberText *was, NumberText *is)
-{
-    int digits = 5;
-    do {
-        *was = text_fitted(before, digits, 16);
-        *is = text_fitted(now, digits, 16);
-    } while (strcmp(was->text, is->text) == 0 && ++digits <= 9);
-}
-
-/* One field with its label, its unit and, where the stage changed it, what it was. */
-typedef struct FieldPhrase {
-    char label[80], was[NUMBER_TEXT_MAX + 16], unit[40];
-    NumberText now;
-    bool changed;
-    int columns;
-} FieldPhrase;
 
 /* "particle 25  stress 0.41517 → 0.41152  strain ...": fields on as many lines as they take. With no area the
  * lines are only counted. */
@@ -65,38 +35,40 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
     for (int i = 0; i < count; i++) {
         const int field = fields[i];
         const Field *row = &subject->sim->fields[field];
-        FieldPhrase phrase = {.changed = false};
+        /* its label, its unit and, where the stage changed it, what it was */
+        char label[80], was[NUMBER_TEXT_MAX + 16] = "", unit[40], arrow[4];
         double value = NAN, before;
-        char arrow[4];
         subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
-        snprintf(phrase.label, sizeof phrase.label, "%s ", row->quantity.label);
-        screen_unit_text(subject->screen, row, phrase.unit, sizeof phrase.unit);
+        snprintf(label, sizeof label, "%s ", row->quantity.label);
+        screen_unit_text(subject->screen, row, unit, sizeof unit);
         glyphs_plain(subject->screen->look.glyphs, "→", arrow, sizeof arrow);
-        phrase.changed =
+        const bool changed =
             subject->done &&
             experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before) &&
             before != value && !(isnan(before) && isnan(value));
-        phrase.now = text_fitted(value, 5, 12);
-        if (phrase.changed) {
-            NumberText was;
-            pair_text(before, value, &was, &phrase.now);
-            snprintf(phrase.was, sizeof phrase.was, "%s %s ", was.text, arrow);
+        NumberText now = text_fitted(value, 5, 12);
+        /* both with at least so many digits, or as many more as it takes to distinguish them */
+        for (int digits = 5; changed && digits <= 9; digits++) {
+            const NumberText old = text_fitted(before, digits, 16);
+            now = text_fitted(value, digits, 16);
+            snprintf(was, sizeof was, "%s %s ", old.text, arrow);
+            if (strcmp(old.text, now.text) != 0)
+                break;
         }
-        phrase.columns = glyphs_columns(phrase.label) + glyphs_columns(phrase.was) +
-                         glyphs_columns(phrase.now.text) + glyphs_columns(phrase.unit);
-        if (x + 2 + phrase.columns > width) {
+        const int columns =
+            glyphs_columns(label) + glyphs_columns(was) + glyphs_columns(now.text) + glyphs_columns(unit);
+        if (x + 2 + columns > width) {
             line++;
             x = 0;
         }
         x += 2;
         if (area) {
-            int at = x + area_text(*area, x, y + line, phrase.label, STYLE_FAINT);
-            at += area_text(*area, at, y + line, phrase.was, STYLE_NORMAL);
-            at += area_text(*area, at, y + line, phrase.now.text,
-                            phrase.changed ? STYLE_CHANGED : STYLE_NORMAL);
-            area_text(*area, at, y + line, phrase.unit, STYLE_FAINT);
+            int at = x + area_text(*area, x, y + line, label, STYLE_FAINT);
+            at += area_text(*area, at, y + line, was, STYLE_NORMAL);
+            at += area_text(*area, at, y + line, now.text, changed ? STYLE_CHANGED : STYLE_NORMAL);
+            area_text(*area, at, y + line, unit, STYLE_FAINT);
         }
-        x += phrase.columns;
+        x += columns;
     }
     return line + 1;
 }
@@ -292,21 +264,20 @@ static void draw_body(const Subject *subject, Area area)
     const int other_rows = other_sums(subject, width, room, others);
     room -= other_rows;
     int fields[FIELDS_TEXT_MAX];
-    int n_fields = fields_of(subject, subject->done ? stage->writes : stage->reads, !subject->done, fields);
-    if (!subject->done)
-        n_fields = fields_of(subject, stage->reads, false, fields);
-    int field_rows =
-        !subject->done && n_fields > 0 ? draw_fields(subject, NULL, width, 0, fields, n_fields) : 0;
-    field_rows = field_rows <= room ? field_rows : 0;
-    room -= field_rows;
+    const int n_fields =
+        fields_of(subject, subject->done ? stage->writes : stage->reads, subject->done, fields);
     const int sentence_rows = area_paragraph_lines(width, stage->sentence);
+    int field_rows =
+        subject->done || n_fields > 0 ? draw_fields(subject, NULL, width, 0, fields, n_fields) : 0;
+    /* of a stage that is still to come its fields are needed more than its sentence */
+    if (!subject->done && field_rows <= room)
+        room -= field_rows;
+    else if (!subject->done)
+        field_rows = 0;
     const bool sentence = room >= sentence_rows;
     room -= sentence ? sentence_rows : 0;
-    if (subject->done) {
-        n_fields = fields_of(subject, stage->writes, true, fields);
-        field_rows = draw_fields(subject, NULL, width, 0, fields, n_fields);
-        field_rows = field_rows <= room ? field_rows : 0;
-    }
+    if (subject->done && field_rows > room)
+        field_rows = 0;
 
     int y = equation[0] ? area_paragraph(area, 0, 0, width, rows, equation, STYLE_NORMAL) : 0;
     mark_what_differs(subject, area, y, equation);
@@ -353,17 +324,22 @@ static void labels_of(const Simulation *sim, const char *words, char *out, size_
 
 void pane_stage(const Screen *screen, Area area)
 {
-    const Subject subject = subject_of(screen);
-    const Simulation *sim = subject.sim;
+    const Simulation *sim = screen_simulation(screen);
+    Subject subject = {.screen = screen, .sim = sim};
+    subject.stage = screen_box_stage(screen, &subject.done);
+    subject.set = screen->chosen.is_node && simulation_has(sim, HAS_MESH);
+    const size_t chosen = subject.set ? screen->chosen.node : screen->chosen.particle,
+                 count = sim->counts[subject.set];
+    subject.index = chosen < count ? chosen : count - 1;
     const Stage *stage = &sim->stages[subject.stage];
     char text[128], reads[256], writes[256], flow[600], plain[600];
-    const bool both = screen_second_run(subject.screen) != NULL;
+    const bool both = screen_second_run(screen) != NULL;
     snprintf(text, sizeof text, "%s%s %d of %d: %s", both ? "A: " : "",
              !subject.done ? both ? "next, stage" : "Next: stage"
              : both        ? "stage"
                            : "Stage",
              subject.stage + 1, sim->n_stages, stage->name);
-    area_rule(area, text, screen_is_focused(subject.screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, text, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
     const int heading = 5 + glyphs_columns(text), source = glyphs_columns(stage->source) + 2;
     if (heading + source + 2 <= area.rect.width) {
         snprintf(text, sizeof text, " %s ", stage->source);
@@ -372,12 +348,12 @@ void pane_stage(const Screen *screen, Area area)
     labels_of(sim, stage->reads, reads, sizeof reads);
     labels_of(sim, stage->writes, writes, sizeof writes);
     snprintf(flow, sizeof flow, " %s → %s ", reads, writes);
-    glyphs_plain(subject.screen->look.glyphs, flow, plain, sizeof plain);
+    glyphs_plain(screen->look.glyphs, flow, plain, sizeof plain);
     if (heading + 1 + glyphs_columns(plain) + source + 2 <= area.rect.width)
         area_text(area, heading + 1, 0, plain, STYLE_FAINT);
     Area body = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
     const bool zoomed = screen->panes.zoomed && screen->panes.focus == PANE_BOX;
-    const int stages = subject.sim->n_stages, width = body.rect.width;
+    const int stages = sim->n_stages, width = body.rect.width;
     if (width >= 100 && body.rect.height >= stages) {
         draw_list(&subject, area_part(body, 0, 0, LIST_WIDTH, body.rect.height));
         for (int y = 0; y < body.rect.height; y++)

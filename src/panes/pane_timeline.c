@@ -74,7 +74,6 @@ void pane_timeline(const Screen *screen, Area area)
     area_put(area, cell_of(screen, &line, experiment_step(screen->experiment)), 0, 0x25cf, STYLE_FOCUS);
     if (area.rect.height > 1) {
         /* What the marks are that there are. */
-        const int x = line.first;
         Legend legend[SCREEN_MARKS + 2];
         char keys[SCREEN_MARKS][3];
         int n = 0;
@@ -87,7 +86,7 @@ void pane_timeline(const Screen *screen, Area area)
                 legend[n++] =
                     (Legend){.style = screen_marks[m].style, .name = screen_marks[m].word, .key = keys[m]};
             }
-        legend_draw(area, x, 1, legend, n);
+        legend_draw(area, line.first, 1, legend, n);
     }
 }
 

@@ -129,17 +129,6 @@ typedef struct Title {
     int end;  /* columns that the text may have */
 } Title;
 
-/* A page that sets something to a value of the student's own no longer shows what the scenario asks about. */
-static const char *headline_of(const Screen *screen)
-{
-    const Settings *settings = screen_settings(screen);
-    const LessonShown *shown = screen->lesson;
-    bool own = false;
-    for (int v = 0; shown->lesson && v < shown->lesson->n_variants; v++)
-        own |= shown->lesson->variants[v].page == shown->page;
-    return !own && settings->title[0] ? settings->title : settings->problem->title;
-}
-
 /* False: so much has no room, or would hide where the run stands. */
 static bool fill_title(const Screen *screen, const TitleForm *form, int width, Title *title)
 {
@@ -166,7 +155,14 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     title->end = width - 1 - glyphs_columns(title->state) - 1 - (title->bar ? BAR_CELLS + 1 : 0);
     title->has_headline = form->headline;
     screen_shorter_time(screen, form->fewer, time, sizeof time);
-    snprintf(out, size, " %s%s", form->headline ? headline_of(screen) : "", form->headline ? gap : "");
+    /* a page that sets something to a value of the student's own no longer shows what the scenario asks */
+    const Settings *settings = screen_settings(screen);
+    const LessonShown *shown = screen->lesson;
+    bool own = false;
+    for (int v = 0; shown->lesson && v < shown->lesson->n_variants; v++)
+        own |= shown->lesson->variants[v].page == shown->page;
+    const char *headline = !own && settings->title[0] ? settings->title : settings->problem->title;
+    snprintf(out, size, " %s%s", form->headline ? headline : "", form->headline ? gap : "");
     if (form->headline && !form->close)
         text_append(out, size, " ");
     if (form->name)

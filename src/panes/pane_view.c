@@ -24,17 +24,12 @@ void pane_view_variant(const View *view, const Screen *screen, Area area, Style 
     picture_close(&picture);
 }
 
-static void draw_one(const View *view, const Screen *screen, Area area, Style heading)
-{
-    pane_view_variant(view, screen, area, heading, view_variant(view, screen));
-}
-
 /* The picture of one run of a duel. */
 static void draw_side(const View *view, const Screen *screen, DuelSide side, const char *note, Area area,
                       Style heading)
 {
     const Screen one = screen_of_side(screen, side);
-    draw_one(view, &one, area, heading);
+    pane_view_variant(view, &one, area, heading, view_variant(view, &one));
     if (view->duel != DUEL_IN_AXES || view->names_run) {
         /* Whose picture it is stands at the end of its heading, in as few words as there is room for. */
         const char letter = side == SIDE_A ? 'A' : 'B';
@@ -82,26 +77,21 @@ void pane_view(const View *view, const Screen *screen, Area area, bool focused)
     const Style heading = focused ? STYLE_FOCUS : STYLE_HEADING;
     if (area.rect.width < 1 || area.rect.height < 1)
         return;
-    if (screen_is_shared(screen)) {
-        enum { STACK_HEIGHT = 14 };
-        const int width = area.rect.width, height = area.rect.height;
-        const bool wide = area.canvas->width >= SIDE_BY_SIDE;
-        if (view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
-            draw_one(view, screen, area, heading);
-        } else if (wide) {
-            const int left = (width - 1) / 2;
-            draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, left, height), heading);
-            draw_side(view, screen, SIDE_B, "", area_part(area, left + 1, 0, width - left - 1, height),
-                      heading);
-        } else if (height >= STACK_HEIGHT) {
-            draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, width, height / 2), heading);
-            draw_side(view, screen, SIDE_B, "", area_part(area, 0, height / 2, width, height - height / 2),
-                      heading);
-        } else {
-            draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
-        }
-    } else
-        draw_one(view, screen, area, heading);
+    enum { STACK_HEIGHT = 14 };
+    const int width = area.rect.width, height = area.rect.height, left = (width - 1) / 2;
+    const bool wide = area.canvas->width >= SIDE_BY_SIDE;
+    if (!screen_is_shared(screen) || view->duel == DUEL_TOGETHER || (view->duel == DUEL_IN_AXES && !wide)) {
+        pane_view_variant(view, screen, area, heading, view_variant(view, screen));
+    } else if (wide) {
+        draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, left, height), heading);
+        draw_side(view, screen, SIDE_B, "", area_part(area, left + 1, 0, width - left - 1, height), heading);
+    } else if (height >= STACK_HEIGHT) {
+        draw_side(view, screen, SIDE_A, "", area_part(area, 0, 0, width, height / 2), heading);
+        draw_side(view, screen, SIDE_B, "", area_part(area, 0, height / 2, width, height - height / 2),
+                  heading);
+    } else {
+        draw_side(view, screen, SIDE_A, screen->panes.zoomed ? "" : ", z: and B", area, heading);
+    }
 }
 
 void pane_inspector(const Screen *screen, Area area)

@@ -56,10 +56,10 @@ void screen_read_view(Screen *screen, const ViewSettings *view)
 
 /* --- the whole ------------------------------------------------------------------------------------ */
 
-static Area area_of(const ScreenLook *look, Canvas *canvas, Rect rect)
+static Area area_of(const Screen *screen, Canvas *canvas, Rect rect)
 {
-    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, look->glyphs}, rect.x, rect.y,
-                     rect.width, rect.height);
+    return area_part((Area){canvas, {0, 0, canvas->width, canvas->height}, screen->look.glyphs}, rect.x,
+                     rect.y, rect.width, rect.height);
 }
 
 static void draw_pane(const Screen *screen, PaneId pane, Area area)
@@ -108,32 +108,29 @@ void screen_draw(const Screen *screen, Canvas *canvas)
         int lines = area_paragraph_lines(canvas->width, text), y = (canvas->height - lines) / 2;
         y = y > 0 ? y : 0;
         area_paragraph(whole, 0, y, canvas->width, canvas->height - y, text, STYLE_NORMAL);
-        if (screen->look.glyphs == GLYPHS_ASCII)
-            canvas_to_ascii(canvas, false);
-        return;
-    }
-    if (screen->help->open) {
-        Rect all = {0, 1, canvas->width, canvas->height - 2};
-        help_draw(screen, area_of(&screen->look, canvas, all));
+    } else if (screen->help->open) {
+        help_draw(screen, area_of(screen, canvas, (Rect){0, 1, canvas->width, canvas->height - 2}));
     } else {
         if (layout.question.width > 0)
-            pane_question(screen, area_of(&screen->look, canvas, layout.question));
+            pane_question(screen, area_of(screen, canvas, layout.question));
         if (layout.number.width > 0)
-            pane_number(screen, area_of(&screen->look, canvas, layout.number));
+            pane_number(screen, area_of(screen, canvas, layout.number));
         for (int pane = 0; pane < PANE_COUNT; pane++)
-            draw_pane(screen, (PaneId)pane, area_of(&screen->look, canvas, layout.panes[pane]));
+            draw_pane(screen, (PaneId)pane, area_of(screen, canvas, layout.panes[pane]));
         if (layout.timeline.width > 0)
-            pane_timeline(screen, area_of(&screen->look, canvas, layout.timeline));
+            pane_timeline(screen, area_of(screen, canvas, layout.timeline));
         if (layout.sides[0].width > 0)
-            pane_view_variant(&view_energies, screen, area_of(&screen->look, canvas, layout.sides[0]),
-                              STYLE_HEADING, 0);
+            pane_view_variant(&view_energies, screen, area_of(screen, canvas, layout.sides[0]), STYLE_HEADING,
+                              0);
         for (int i = 1; i < SIDES_MAX; i++)
             if (layout.sides[i].width > 0)
-                pane_view_variant(&view_table, screen, area_of(&screen->look, canvas, layout.sides[i]),
+                pane_view_variant(&view_table, screen, area_of(screen, canvas, layout.sides[i]),
                                   STYLE_HEADING, i - 1);
     }
-    pane_title(screen, area_of(&screen->look, canvas, layout.title));
-    pane_keys(screen, area_of(&screen->look, canvas, layout.keys));
+    if (layout.kind != LAYOUT_TOO_SMALL) {
+        pane_title(screen, area_of(screen, canvas, layout.title));
+        pane_keys(screen, area_of(screen, canvas, layout.keys));
+    }
     if (screen->look.glyphs == GLYPHS_ASCII)
         canvas_to_ascii(canvas, false);
 }
@@ -145,20 +142,18 @@ bool screen_click_view(Screen *screen, int width, int height, int x, int y)
     if (screen->panes.inspecting &&
         view_click(&view_inspector, screen, screen_pane(screen, width, height, PANE_INSPECTOR), x, y))
         return true;
-    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
+    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++)
         if (view_click(screen_view_in(screen, pane), screen, screen_pane(screen, width, height, pane), x, y))
             return true;
-    }
     return view_click(&view_strip, screen, screen_pane(screen, width, height, PANE_MESH), x, y);
 }
 
 bool screen_scroll_view(Screen *screen, int width, int height, int x, int y, int by)
 {
-    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++) {
+    for (PaneId pane = PANE_UPPER; pane <= PANE_LOWER; pane++)
         if (view_scroll(screen_view_in(screen, pane), screen, screen_pane(screen, width, height, pane), x, y,
                         by))
             return true;
-    }
     return false;
 }
 

@@ -30,6 +30,8 @@ READ(bool, screen_shows_exact, screen->views.references == SHOW_ALL || screen->v
 READ(bool, screen_shows_predicted,
      screen->views.references == SHOW_ALL || screen->views.references == SHOW_PREDICTED)
 READ(bool, screen_is_running, screen->playback->state == STATE_RUNNING)
+READ(bool, screen_is_inside,
+     experiment_stage(screen->experiment) > 0 || experiment_before(screen->experiment) != NULL)
 READ(bool, screen_is_rewound, experiment_newest(screen->experiment) > experiment_step(screen->experiment))
 READ(bool, screen_is_plain, screen->panes.lecture || screen->panes.sheet == SHEET_PLAIN)
 READ(const Problem *, screen_problem, screen_settings(screen)->problem)
