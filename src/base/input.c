@@ -158,21 +158,16 @@ InputGot input_line(InputLines *lines, char *line, size_t size, Status *status)
     while ((byte = getc(lines->stream)) != EOF && byte != '\n') {
         if (length == 0)
             lines->number++;
-        if (byte == '\0') {
-            status_refuse(status, "%s:%ld: holds a zero byte (text is expected)", lines->name, lines->number);
-            return INPUT_WRONG;
-        }
-        if (length + 1 == size) {
-            status_refuse(status, "%s:%ld: the line is too long (at most %zu bytes)", lines->name,
-                          lines->number, size - 1);
-            return INPUT_WRONG;
-        }
+        if (byte == '\0')
+            return status_refuse(status, "%s:%ld: holds a zero byte (text is expected)", lines->name,
+                                 lines->number);
+        if (length + 1 == size)
+            return status_refuse(status, "%s:%ld: the line is too long (at most %zu bytes)", lines->name,
+                                 lines->number, size - 1);
         line[length++] = (char)byte;
     }
-    if (ferror(lines->stream)) {
-        cannot_read(lines->name, status);
-        return INPUT_WRONG;
-    }
+    if (ferror(lines->stream))
+        return cannot_read(lines->name, status);
     if (byte == EOF && length == 0)
         return INPUT_END;
     lines->number += length == 0;

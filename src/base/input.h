@@ -37,7 +37,7 @@ typedef struct InputLines {
     bool cut;         /* it ended with the file and not with a line end */
 } InputLines;
 
-typedef enum InputGot { INPUT_LINE, INPUT_END, INPUT_WRONG } InputGot;
+typedef enum InputGot { INPUT_WRONG /* a refusal's result */, INPUT_LINE, INPUT_END } InputGot;
 
 /* Reads the next line without its end (LF or CR LF), the first without a mark of UTF-8 (BOM). INPUT_WRONG: it
  * is longer than size - 1 bytes, holds a zero byte or cannot be read; the status says so as "NAME:NUMBER:

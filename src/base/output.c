@@ -82,8 +82,8 @@ char *output_real_name(const char *name, Status *status)
     return real;
 }
 
-/* Whether the folder that a file or folder of this name would be in is there. */
-static bool output_has_folder(const char *name, Status *status)
+/* Whether the folder is there and takes a new file: a run of hours should not find that out at its end. */
+static bool folder_takes(const char *name, Status *status)
 {
     struct stat what;
     char *copy = strdup(name);
@@ -97,15 +97,7 @@ static bool output_has_folder(const char *name, Status *status)
     else if (known && !S_ISDIR(what.st_mode))
         there = status_refuse(status, "%s: %s is not a folder", name, folder);
     free(copy);
-    return there;
-}
-
-/* Whether the folder is there and takes a new file: a run of hours should not find that out at its end. */
-static bool folder_takes(const char *name, Status *status)
-{
-    if (!output_has_folder(name, status))
-        return false;
-    char *real = output_real_name(name, status);
+    char *real = there ? output_real_name(name, status) : NULL;
     if (!real)
         return false;
     strrchr(real, '/')[0] = '\0';
@@ -117,14 +109,6 @@ static bool folder_takes(const char *name, Status *status)
 static bool overwrites_input(const char *name, Status *status)
 {
     return status_refuse(status, "%s: the output would overwrite an input", name);
-}
-
-static bool is_input(const char *name)
-{
-    char *real = output_real_name(name, NULL);
-    const bool is_read = real && input_is_read(real);
-    free(real);
-    return is_read;
 }
 
 /* What a file of this program begins with, as its first line has it; what has no lines says of which kind it
@@ -181,7 +165,10 @@ static bool is_own(const char *name)
 /* A regular file that is there. */
 static bool may_replace(const char *name, Asker asker, bool force, Status *status)
 {
-    if (asker == ASKER_COMMAND_LINE && is_input(name))
+    char *real = asker == ASKER_COMMAND_LINE ? output_real_name(name, NULL) : NULL;
+    const bool is_input = real && input_is_read(real);
+    free(real);
+    if (is_input)
         return overwrites_input(name, status);
     if (asker == ASKER_COMMAND_LINE && !is_own(name))
         return status_refuse(status, "%s: exists and was not written by matvib (choose another name)", name);
@@ -383,10 +370,9 @@ bool output_open(OutputFile *file, Asker asker, const char *name, bool force, St
         /* Opening a pipe without a reader would block for ever, with nothing on screen to show why. */
         const int descriptor =
             open(name, O_WRONLY | O_NOCTTY | O_CLOEXEC | (asker == ASKER_COMMAND_LINE ? 0 : O_NONBLOCK));
-        FILE *stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
-        if (!stream && descriptor >= 0)
+        file->stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
+        if (!file->stream && descriptor >= 0)
             close(descriptor);
-        file->stream = stream;
         opened = file->stream || cannot_write(name, status);
     } else {
         file->target = output_real_name(name, status);
@@ -431,29 +417,19 @@ bool output_finish(OutputFile *file, Status *status)
     return arrived || cannot_write(file->name, status);
 }
 
-/* A name that another program has taken since is refused: link() never replaces. Where there are no links
- * (some file systems of sticks and servers) the second comer wins. */
-static bool take_free_name(const OutputFile *file, Status *status)
-{
-    if (link(file->temporary->name, file->target) == 0) {
-        unlink(file->temporary->name);
-        return true;
-    }
-    if (errno == EEXIST)
-        return status_fail(status, "%s: another program has written it (--force replaces it)", file->name);
-    return rename(file->temporary->name, file->target) == 0 || cannot_write(file->name, status);
-}
-
 bool output_commit(OutputFile *file, Status *status)
 {
     if (!file->temporary)
         return true;
     if (file->spares && file->replaces && input_is_read(file->target))
         return overwrites_input(file->name, status);
-    if (!file->replaces) {
-        if (!take_free_name(file, status))
-            return false;
-    } else if (rename(file->temporary->name, file->target) != 0)
+    /* A name that another program has taken since is refused: link() never replaces. Where there are no links
+     * (some file systems of sticks and servers) the second comer wins. */
+    if (!file->replaces && link(file->temporary->name, file->target) == 0)
+        unlink(file->temporary->name);
+    else if (!file->replaces && errno == EEXIST)
+        return status_fail(status, "%s: another program has written it (--force replaces it)", file->name);
+    else if (rename(file->temporary->name, file->target) != 0)
         return cannot_write(file->name, status);
     leave_list(file);
     /* Brings a new name to the disk; without it the file may be gone after the computer stopped. */

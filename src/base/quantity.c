@@ -75,18 +75,6 @@ static double shifted(double number, int tens)
 
 /* --- units ------------------------------------------------------------------------------------------- */
 
-static const char *prefix_of(const char *word, int *tens)
-{
-    for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
-        const size_t length = strlen(prefixes[i].name);
-        if (strncmp(word, prefixes[i].name, length) == 0) {
-            *tens = prefixes[i].tens;
-            return word + length;
-        }
-    }
-    return NULL;
-}
-
 static bool unit_of(const char *word, int tens, Value *value)
 {
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
@@ -122,15 +110,17 @@ static bool fail_unit(Grammar *grammar)
 /* A unit, one with a prefix, or a prefix alone (not c); "m" is a metre. */
 static bool find_word(const char *word, Value *value)
 {
-    int tens = 0;
     *value = (Value){.number = 3.14159265358979323846};
     if (strcmp(word, "pi") == 0 || unit_of(word, 0, value))
         return true;
-    const char *rest = prefix_of(word, &tens);
-    if (rest && *rest)
-        return unit_of(rest, tens, value);
-    *value = (Value){.number = 1, .tens = tens};
-    return rest && tens != -2;
+    for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
+        const size_t length = strlen(prefixes[i].name);
+        if (strncmp(word, prefixes[i].name, length) != 0)
+            continue;
+        *value = (Value){.number = 1, .tens = prefixes[i].tens};
+        return word[length] ? unit_of(word + length, prefixes[i].tens, value) : prefixes[i].tens != -2;
+    }
+    return false;
 }
 
 static bool put(Grammar *grammar, Value value)
@@ -202,15 +192,6 @@ static bool multiply(Reader *reader, Value *value, const Value *other, bool divi
     return is_bounded(reader, value);
 }
 
-static bool add(Reader *reader, Value *value, const Value *other, int sign)
-{
-    if (memcmp(value->bases, other->bases, sizeof value->bases) != 0)
-        return fail(reader, "adds what has different units");
-    value->number = shifted(value->number, value->tens) + sign * shifted(other->number, other->tens);
-    value->tens = 0;
-    return true;
-}
-
 static bool apply(Grammar *grammar, GrammarVerb verb, int power)
 {
     Reader *reader = grammar->context;
@@ -220,7 +201,12 @@ static bool apply(Grammar *grammar, GrammarVerb verb, int power)
     switch (verb) {
     case VERB_ADD:
     case VERB_SUBTRACT:
-        return add(reader, value, last, verb == VERB_ADD ? 1 : -1);
+        if (memcmp(value->bases, last->bases, sizeof value->bases) != 0)
+            return fail(reader, "adds what has different units");
+        value->number = shifted(value->number, value->tens) +
+                        (verb == VERB_ADD ? 1 : -1) * shifted(last->number, last->tens);
+        value->tens = 0;
+        return true;
     case VERB_MULTIPLY:
     case VERB_DIVIDE:
         return multiply(reader, value, last, verb == VERB_DIVIDE);

@@ -12,7 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <stdbool.h>
 
 size_t text_trim_exponent(char *text)
 {
@@ -246,23 +245,14 @@ int text_place_in(const char *word, const char *const words[])
 
 void text_put_xml(FILE *stream, const char *text)
 {
-    for (; *text; text++)
-        switch (*text) {
-        case '<':
-            fputs("&lt;", stream);
-            break;
-        case '>':
-            fputs("&gt;", stream);
-            break;
-        case '&':
-            fputs("&amp;", stream);
-            break;
-        case '"':
-            fputs("&quot;", stream);
-            break;
-        default:
+    static const char signs[] = "<>&\"", *const names[] = {"lt", "gt", "amp", "quot"};
+    for (; *text; text++) {
+        const char *sign = strchr(signs, *text);
+        if (sign)
+            fprintf(stream, "&%s;", names[sign - signs]);
+        else
             fputc((unsigned char)*text < ' ' ? ' ' : *text, stream);
-        }
+    }
 }
 
 void text_put_json(FILE *stream, const char *bytes, size_t count)

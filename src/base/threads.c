@@ -9,11 +9,10 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#ifdef HAVE_SCHED_GETAFFINITY
-
 /* A mask that is shorter than the kernel's is refused, so it grows until it fits. 0: not known. */
 static int count_mask(void)
 {
+#ifdef HAVE_SCHED_GETAFFINITY
     for (size_t processors = CPU_SETSIZE; processors <= 1 << 20; processors *= 2) {
         cpu_set_t *set = CPU_ALLOC(processors);
         const size_t size = CPU_ALLOC_SIZE(processors);
@@ -26,17 +25,9 @@ static int count_mask(void)
         if (!too_short)
             return count;
     }
-    return 0;
-}
-
-#else
-
-static int count_mask(void)
-{
-    return 0;
-}
-
 #endif
+    return 0;
+}
 
 int threads_allowed(void)
 {

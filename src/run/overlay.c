@@ -39,10 +39,8 @@ static bool fail(const Reader *reader, const char *what)
     return status_refuse(reader->status, "%s:%ld: %s", reader->file, reader->line, what);
 }
 
-typedef enum Got { GOT_NOTHING /* fail() */, GOT_LINE, GOT_END } Got;
-
 /* The next line without its end: LF, CR LF or CR. */
-static Got next_line(Reader *reader)
+static InputGot next_line(Reader *reader)
 {
     size_t length = 0;
     int byte;
@@ -60,21 +58,21 @@ static Got next_line(Reader *reader)
     if (ferror(reader->stream))
         return status_refuse(reader->status, "%s: cannot be read: %s", reader->file, strerror(errno));
     if (byte == EOF && length == 0)
-        return GOT_END;
+        return INPUT_END;
     if (byte == '\r' && (byte = getc(reader->stream)) != '\n' && byte != EOF)
         ungetc(byte, reader->stream);
     reader->text[length] = '\0';
     if (reader->line == 1 && strncmp(reader->text, "\xef\xbb\xbf", 3) == 0)
         memmove(reader->text, reader->text + 3, length - 2);
-    return GOT_LINE;
+    return INPUT_LINE;
 }
 
 /* The next line that holds something. A comment, as numpy, MATLAB and Fortran begin it, is kept: names may be
  * in it. */
-static Got next_row(Reader *reader)
+static InputGot next_row(Reader *reader)
 {
-    Got got;
-    while ((got = next_line(reader)) == GOT_LINE) {
+    InputGot got;
+    while ((got = next_line(reader)) == INPUT_LINE) {
         const char *text = reader->text + strspn(reader->text, " \t;,");
         if (*text && !strchr("#%!", *text))
             break;
@@ -301,12 +299,12 @@ static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, 
     struct stat file;
     const double size =
         fstat(fileno(reader->stream), &file) == 0 && S_ISREG(file.st_mode) ? (double)file.st_size : 0;
-    Got got = next_row(reader);
-    if (got == GOT_END)
+    InputGot got = next_row(reader);
+    if (got == INPUT_END)
         return fail(reader, "holds no numbers");
-    if (got == GOT_NOTHING || !take_head(reader, overlay))
+    if (got == INPUT_WRONG || !take_head(reader, overlay))
         return false;
-    for (long turn = 1; (got = next_row(reader)) == GOT_LINE; turn++) {
+    for (long turn = 1; (got = next_row(reader)) == INPUT_LINE; turn++) {
         const int cells = cut_cells(reader);
         if (cells == 0 || !take_row(reader, overlay, cells))
             return false;
@@ -314,9 +312,9 @@ static bool read_table(Reader *reader, Overlay *overlay, OverlayProgress go_on, 
             !go_on(size > 0 ? (double)ftell(reader->stream) / size : 0, context))
             return status_fail(reader->status, "%s: not read to its end", reader->file);
     }
-    if (got == GOT_END && overlay->count == 0)
+    if (got == INPUT_END && overlay->count == 0)
         return fail(reader, "holds names but no numbers");
-    return got == GOT_END;
+    return got == INPUT_END;
 }
 
 bool overlay_read(Overlay *overlay, FILE *stream, const char *file, OverlayWord word, OverlayProgress go_on,

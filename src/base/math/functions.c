@@ -247,11 +247,6 @@ double math_expm1(double x)
     return is_settled(value, ERROR_EXPM1, &rounded) ? rounded : accurate_expm1(x);
 }
 
-static double error_sinh(double x)
-{
-    return fabs(x) < 0.34 ? ERROR_EXPM1 : ERROR_SINH;
-}
-
 /* twice sinh and cosh: e + e/(1 + e) with e = e^x - 1 where e^x - e^-x cancels; x > 0 */
 static DoubleDouble double_sinh(double x)
 {
@@ -270,9 +265,9 @@ double math_sinh(double x)
     if (!(fabs(x) < 711) || x == 0)
         return isnan(x) || x == 0 ? x : copysign(INFINITY, x);
     double rounded;
-    return is_settled(dd_scaled(double_sinh(fabs(x)), copysign(0.5, x)), error_sinh(x), &rounded)
-               ? rounded
-               : accurate_sinh(x);
+    const double error = fabs(x) < 0.34 ? ERROR_EXPM1 : ERROR_SINH;
+    const DoubleDouble value = dd_scaled(double_sinh(fabs(x)), copysign(0.5, x));
+    return is_settled(value, error, &rounded) ? rounded : accurate_sinh(x);
 }
 
 double math_cosh(double x)
