@@ -11,7 +11,6 @@
 #include "base/cancel.h"
 
 #include <stddef.h>
-#include <stdbool.h>
 
 enum { BAND_WIDTH_MAX = 32 };
 

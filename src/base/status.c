@@ -5,7 +5,6 @@
 #include "base/visible.h"
 
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static void fill(Status *status, StatusCode code, const char *format, va_list arguments)

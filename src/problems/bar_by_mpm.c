@@ -13,7 +13,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <stdio.h>
 
 static double best_blend(const Settings *settings)
 {

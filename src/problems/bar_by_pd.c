@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar by peridynamics: settings to simulation, exact and predicted answers beside. */
 #include "answers/bar_answers.h"
-#include "base/cancel.h"
 #include "base/math/functions.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
@@ -9,11 +8,9 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/solver.h"
-#include "methods/bonds/plane/bonds_plane.h"
 #include "theory/pd_waves.h"
 
 #include <math.h>
-#include <stdio.h>
 
 BeamDef bar_pd_definition(const Settings *settings)
 {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bar: axial vibration in one dimension, by both methods. */
 #include "problems/solver.h"
-#include "base/kinds.h"
 
 static const ParameterUse uses[] = {
     {USE("bar.length", 25)},

@@ -8,7 +8,6 @@
 #include "problems/solver.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 /* --- answers -------------------------------------------------------------------------------------- */

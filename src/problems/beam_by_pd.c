@@ -7,13 +7,10 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "problems/solver.h"
-#include "methods/bonds/plane/bonds_plane.h"
 #include "methods/bonds/cracks/crack.h"
 #include "base/assertion.h"
-#include "scenario/rows/rows.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beams in the plane, supported, leaving a channel, notched and bent; and the plate. */
 #include "problems/solver.h"
-#include "base/kinds.h"
 #include "scenario/parameters.h"
 
 #define BEAM_CONCERNS (CONCERN_BEAM | CONCERN_LATTICE | CONCERN_BREAKING | CONCERN_STEP | CONCERN_DAMPING)

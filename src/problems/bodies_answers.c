@@ -21,7 +21,6 @@
 #include "problems/bodies_answers.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

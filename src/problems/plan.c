@@ -3,11 +3,9 @@
 #include "problems/solver.h"
 
 #include "base/assertion.h"
-#include "base/text.h"
 #include "scenario/concern_time.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of problem.h for settings of any problem: finds row and solver, and hands over to them. */
-#include "problems/problem.h"
 
 #include "base/assertion.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "base/text.h"
 #include "answers/references.h"
 #include "scenario/parameters.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 const Problem *problem_find(const char *word)

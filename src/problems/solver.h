@@ -6,7 +6,6 @@
 
 #include "answers/references.h"
 #include "methods/mpm/mpm.h"
-#include "problems/problem.h"
 
 /* A column of the series: a number of the method's row, or an answer worked out beside it. */
 typedef double Answer(References *, long step, double time, const double *row);

@@ -2,7 +2,6 @@
 /* Time passes here (advance.h): by blocks of steps up to the next place at which a sink, a change or the
  * caller wants something, by stages, or by items of a stage. */
 #include "run/advance.h"
-#include "base/status.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/assertion.h"

@@ -8,12 +8,9 @@
 #ifndef RUN_ADVANCE_H
 #define RUN_ADVANCE_H
 
-#include "base/status.h"
 #include "methods/method.h"
 #include "base/cancel.h"
 #include "scenario/assignment.h"
-
-#include <stdbool.h>
 
 typedef struct Run {
     const Settings *settings; /* the values at t = 0 and the changes in mid-run, the caller's */

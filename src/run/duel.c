@@ -9,12 +9,10 @@
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "base/text.h"
 #include "scenario/parameters.h"
 
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* --- keys ------------------------------------------------------------------------------------------ */

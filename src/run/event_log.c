@@ -3,13 +3,9 @@
  * method reported, and what follows from the record: drift of the energy by levels, lag behind the exact
  * answer. Brought up to date after each piece of work. */
 #include "run/experiment_internal.h"
-#include "scenario/settings.h"
-#include "base/text.h"
-#include "answers/references.h"
 #include "scenario/changes.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 static void add(Event *events, int *count, int most, long step, EventKind kind, const char *text)

@@ -3,8 +3,6 @@
  * on whose way the run itself is moved by experiment_run.c. */
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
-#include "base/status.h"
-#include "scenario/settings.h"
 
 #include <limits.h>
 #include <math.h>

@@ -13,8 +13,6 @@
 #include "answers/references.h"
 #include "answers/crack_growth.h"
 #include "answers/profile.h"
-#include "run/record.h"
-#include "scenario/assignment.h"
 #include "answers/spectrum.h"
 
 enum { GHOSTS_MAX = 5, LEGEND_MAX = 60 };

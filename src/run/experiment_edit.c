@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Edits: another run in the place of this one, or another future of it. */
-#include "answers/references.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "run/experiment_internal.h"
 #include "scenario/changes.h"
 #include "scenario/parameters.h"

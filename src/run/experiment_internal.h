@@ -5,9 +5,7 @@
 
 #include "scenario/settings.h"
 #include "run/advance.h"
-#include "run/experiment.h"
 #include "run/event_log.h"
-#include "run/record.h"
 
 /* A state to which there is a way back. */
 typedef struct Kept {

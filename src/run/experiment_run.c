@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The run itself, from its beginning to its end: forwards by steps, stages and parts of a stage, back to a
  * keyframe, on into another future. */
-#include "base/cancel.h"
 #include "base/assertion.h"
 #include "run/experiment_internal.h"
-#include "base/status.h"
 #include "scenario/concern_output.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
 #include "scenario/changes.h"
 
 #include <errno.h>

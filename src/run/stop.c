@@ -6,11 +6,8 @@
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/quantity.h"
-#include "base/text.h"
-#include "problems/problem.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* What can happen, and what a run must have for it. */

@@ -9,7 +9,6 @@
 #include "base/status.h"
 #include "scenario/assignment.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct Simulation Simulation; /* methods/method.h */

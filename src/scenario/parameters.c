@@ -5,14 +5,11 @@
 
 #include "scenario/settings_values.h"
 #include "base/text.h"
-#include "scenario/rows/rows.h"
-#include "base/kinds.h"
 #include "base/assertion.h"
 #include "base/hash.h"
 
 #include <ctype.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 const char *const parameter_method_titles[] = {"MPM", "PD"};

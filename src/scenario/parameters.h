@@ -8,10 +8,6 @@
 
 #include "problems/problem.h"
 #include "scenario/rows/rows.h"
-#include "scenario/assignment.h"
-
-#include <stddef.h>
-#include <stdbool.h>
 
 typedef enum ParameterType {
     PARAMETER_REAL,

@@ -3,7 +3,6 @@
  * first, since the allowed keys depend on them, then every entry by its key, then values from the command
  * line; then the whole is checked. An error gets the line or option that gave the key it names. */
 #include "scenario/scenario.h"
-#include "scenario/rows/rows.h"
 #include "scenario/settings.h"
 #include "base/input.h"
 #include "base/text.h"

@@ -4,7 +4,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/settings.h"
-#include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "scenario/parameters.h"

@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What settings come to without the parameter table: lengths left to themselves, lists inside texts. */
-#include "scenario/concern_bonds.h"
-#include "scenario/concern_cells.h"
-#include "scenario/concern_loads.h"
-#include "scenario/concern_output.h"
 #include "methods/bonds/plane/lattice/volume.h"
 
 #include "base/quantity.h"

@@ -9,7 +9,6 @@
 #define SCENARIO_SETTINGS_H
 
 #include "base/cancel.h"
-#include "base/status.h"
 #include "scenario/assignment.h"
 #include "scenario/rows/rows.h"
 

@@ -2,16 +2,10 @@
 /* What no single value shows: does the whole make sense? Every refusal names the key to be changed. */
 #include "scenario/parameters.h"
 #include "scenario/changes.h"
-#include "scenario/concern_output.h"
-#include "scenario/concern_time.h"
-#include "scenario/settings.h"
-#include "problems/problem.h"
 #include "base/text.h"
 #include "scenario/settings_values.h"
-#include "scenario/rows/rows.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 

@@ -2,15 +2,12 @@
 /* Values of settings from texts, as a scenario, an option or a field gives them: read, held against the
  * parameter's range and words, or refused in one line. */
 #include "scenario/parameters.h"
-#include "scenario/rows/rows.h"
 #include "scenario/settings.h"
 #include "base/quantity.h"
 #include "base/text.h"
 #include "base/visible.h"
-#include "problems/problem.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 bool settings_in_range(const Parameter *parameter, const Problem *problem, double value)

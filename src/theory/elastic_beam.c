@@ -11,7 +11,6 @@
 #include "theory/gsl_errors.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 

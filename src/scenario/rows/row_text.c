@@ -7,7 +7,6 @@
 #include "problems/problem.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 #include <math.h>
 

@@ -3,13 +3,11 @@
 #include "base/assertion.h"
 #include "base/text.h"
 #include "problems/problem.h"
-#include "scenario/rows/rows.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_output.h"
 #include "scenario/settings.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 int row_kind_find(const char *section)

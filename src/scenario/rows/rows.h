@@ -16,8 +16,6 @@
 
 #include "base/status.h"
 
-#include <stdbool.h>
-
 typedef struct Settings Settings; /* settings.h */
 
 enum {
