@@ -161,8 +161,6 @@ void picture_spread(Picture *picture, const double from[2], const double to[2], 
     }
 }
 
-/* --- in a strip --------------------------------------------------------------------------------------- */
-
 /* Characters for the words beside it; rows that it keeps to (0: takes all); columns of one of its pieces. */
 static const struct {
     int words, rows, least, most;
@@ -196,8 +194,6 @@ void picture_lay_row(const Picture *picture, StripRow *row)
     const long last = row->shown < row->pieces ? all - row->shown : 0, first = row->around - row->shown / 2;
     row->first = first > last ? last : first > 0 ? first : 0;
 }
-
-/* --- before it moves, with its dimensions ------------------------------------------------------------- */
 
 #define WORTH_IT 0.6 /* of the width: a drawing to scale may lose so much, else its height is squeezed */
 #define APART    1.3 /* rows from one length to the next where there is room between rows */

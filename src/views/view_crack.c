@@ -29,8 +29,6 @@ static void add_keys(const Screen *screen, Picture *picture, const ShownRun *run
     runs_add_keys(picture, runs, n_runs);
 }
 
-/* --- the path ------------------------------------------------------------------------------------- */
-
 static void describe_path(const Screen *screen, Picture *picture)
 {
     const Simulation *sim = screen_simulation(screen);

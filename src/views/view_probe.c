@@ -72,8 +72,6 @@ static bool has_envelope(const Screen *screen, const char *name)
            isfinite(references_envelope(experiment_references(screen->experiment), name, 0));
 }
 
-/* --- the curves of the picture -------------------------------------------------------------------- */
-
 /* What a run measures, or a reference for it. */
 typedef struct Line {
     const ShownRun *run;
@@ -112,8 +110,6 @@ static int add_lines(const Screen *screen, const ShownRun *run, const char *name
     }
     return count;
 }
-
-/* --- lines under the plot ------------------------------------------------------------------------- */
 
 /* "a period keeps 68.4 %, predicted 68.4 %" of the energy, where it does not keep all of it. */
 static void append_kept(const Readout *readout, bool predicted, char out[READOUT_TEXT])

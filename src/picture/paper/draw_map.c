@@ -124,8 +124,6 @@ void draw_heat(Paper *paper, const PictureMap *map, const Place *place)
     free(points);
 }
 
-/* --- the bar ---------------------------------------------------------------------------------------- */
-
 /* The name is beside the bar or, where that would leave it too short, above it. */
 double draw_heat_bar(Paper *paper, const Picture *picture, Box box)
 {

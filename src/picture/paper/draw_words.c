@@ -94,8 +94,6 @@ void draw_words(Paper *paper, double x, double y, const char *text, const Type *
     set_words(paper, x - (type->upwards ? 0 : shift), y + (type->upwards ? shift : 0), words, type);
 }
 
-/* --- phrases --------------------------------------------------------------------------------------- */
-
 double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
 {
     const double line = LINE_HEIGHT * type->size, gap = type->size, space = 0.32 * type->size;

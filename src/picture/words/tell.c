@@ -37,8 +37,6 @@ static const struct {
     {"help", TELL_HELP},
 };
 
-/* --- parts -------------------------------------------------------------------------------------------- */
-
 static void tell_where(const Screen *screen, Words *words)
 {
     static const char *const states[] = {"paused", "running", "on the way", "at the end",

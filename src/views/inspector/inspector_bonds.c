@@ -121,8 +121,6 @@ typedef struct Family {
     int last;               /* of the one that broke last, the notch's left out; -1: none */
 } Family;
 
-/* --- what there is ---------------------------------------------------------------------------------- */
-
 /* Columns (d 0) or rows from the node to the other end. */
 static int steps_to(const Family *family, const Link *link, int d)
 {

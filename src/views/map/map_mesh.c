@@ -25,8 +25,6 @@ typedef struct MeshNodes {
     bool put_back; /* it has just come to its end */
 } MeshNodes;
 
-/* --- what the nodes have ---------------------------------------------------------------------------- */
-
 /* False: no memory. free(mesh->x) in any case. */
 static bool mesh_open(const Map *map, MeshNodes *mesh)
 {
