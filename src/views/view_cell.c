@@ -6,9 +6,10 @@
  * that two bodies share has the common normal, both velocities before, and what one gives. Of bonds:
  * view_cell_bonds.c. */
 #include "base/math/functions.h"
+#include "base/text.h"
 #include "panes/screen.h"
+#include "picture/sum_column.h"
 #include "scenario/settings.h"
-#include "views/cell_terms.h"
 #include "views/inspector/inspector.h"
 #include "views/view.h"
 
@@ -17,13 +18,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN_OF_LINE = 8, SHOWN_OF_PLANE = 4 };
+enum { SHOWN_OF_LINE = 8, SHOWN_OF_PLANE = 4, LINKS_MAX = 256, TERM_WIDTH = 10 };
 
 /* Heights in the drawing of a bar, of which the numbers of nodes have the upper end. */
 #define ROWS       12.0
 #define NUMBER_ROW 11.8
 #define DOTS_ROW   1.6
 #define ENDS       0.14 /* of its way that an arrow leaves free at both ends */
+
+/* What a stage passes between the chosen one and its links, in one exchange. */
+typedef struct Flowing {
+    const Exchange *exchange;
+    double terms[LINKS_MAX], last[LINKS_MAX]; /* and the last factor of each, which is of the giver */
+    Writing writing;
+} Flowing;
+
+typedef struct CellTerms {
+    const Simulation *sim;
+    int set; /* of the chosen one: 0 a particle, 1 a node */
+    size_t index;
+    Link links[LINKS_MAX];
+    size_t n_links;
+    size_t order[LINKS_MAX]; /* of links: the first ones are drawn */
+    size_t shown;
+    Flowing flows[PICTURE_ARROW_LINES];
+    int n_flows;
+    bool to_nodes;
+} CellTerms;
 
 typedef struct CellView {
     const Screen *screen;
@@ -44,6 +65,96 @@ typedef struct CellView {
     int places[2];                                           /* fields of nodes: x, y */
     double *node_masses, *momenta, most_mass, most_momentum; /* of all nodes of a bar, in one block */
 } CellView;
+
+/* --- the terms of a stage ---------------------------------------------------------------------------- */
+
+/* Of one unit the stronger goes first; what cannot be compared is put by its formula, the longer one first.
+ */
+static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing *other)
+{
+    const Simulation *sim = terms->sim;
+    const Exchange *both[2] = {flow->exchange, other->exchange};
+    const char *units[2] = {"", ""};
+    double strength[2] = {0, 0};
+    for (int k = 0; k < 2; k++) {
+        const int field = simulation_find_field(sim, both[k]->to, both[k]->field);
+        units[k] = field >= 0 ? sim->fields[field].quantity.unit : "";
+        for (size_t i = 0; i < terms->n_links; i++)
+            strength[k] = fmax(strength[k], fabs((k ? other : flow)->terms[i]));
+    }
+    return strcmp(units[0], units[1]) == 0 ? strength[0] > strength[1]
+                                           : strlen(both[0]->factors) > strlen(both[1]->factors);
+}
+
+/* The links of `set`, `index`, which are in `terms` with `sim`, and what passes in the stage (NULL:
+ * nothing), strongest first; of more links than `most`, most - 1 are shown. Of one unit the stronger exchange
+ * comes first, of two that with more factors: mass with velocity before mass alone. */
+static void find_terms(CellTerms *terms, const Stage *stage, size_t most)
+{
+    const Simulation *sim = terms->sim;
+    const size_t count = sim->method->links(sim, terms->set, terms->index, terms->links, LINKS_MAX);
+    terms->n_links = count < LINKS_MAX ? count : LINKS_MAX;
+    for (int e = 0; stage && e < sim->n_exchanges && terms->n_flows < PICTURE_ARROW_LINES; e++) {
+        Flowing flow = {.exchange = &sim->exchanges[e]};
+        const bool of_stage = strcmp(flow.exchange->stage, stage->id) == 0;
+        bool passes = false;
+        double sum = 0;
+        for (size_t i = 0; i < terms->n_links && of_stage; i++) {
+            const ExchangeTerm term = simulation_exchange(sim, e, terms->index, &terms->links[i]);
+            flow.terms[i] = term.product;
+            flow.last[i] = term.count > 0 ? term.factors[term.count - 1] : 0;
+            sum += term.product;
+            passes |= term.count > 0;
+        }
+        if (!passes)
+            continue;
+        /* all with the same last decimal: they are compared by eye, and add up as they stand */
+        flow.writing = writing_of(flow.terms, terms->n_links, 0, sum, TERM_WIDTH);
+        int at = terms->n_flows++;
+        for (; at > 0 && is_before(terms, &flow, &terms->flows[at - 1]); at--)
+            terms->flows[at] = terms->flows[at - 1];
+        terms->flows[at] = flow;
+        terms->to_nodes = flow.exchange->to == 1;
+    }
+    /* the largest first: what finds no room is the smallest */
+    for (size_t i = 0; i < terms->n_links; i++) {
+        const double *by = terms->n_flows > 0 ? terms->flows[0].terms : NULL;
+        size_t at = i;
+        for (; at > 0 && by && fabs(by[terms->order[at - 1]]) < fabs(by[i]); at--)
+            terms->order[at] = terms->order[at - 1];
+        terms->order[at] = i;
+    }
+    /* where they do not fit, one place is for what the others come to */
+    terms->shown = terms->n_links <= most ? terms->n_links : most - 1;
+}
+
+/* A term as it is in a sum of such a writing. */
+static NumberText term_text(double value, Writing writing)
+{
+    const int first = value != 0 ? (int)floor(math_log10(fabs(value))) : 0;
+    /* not beyond the last decimal of its column */
+    const int digits = first - (writing.exponent - writing.decimals) + 1;
+    return text_rounded(digits > 0 ? value : 0, digits > 1 ? digits : 1);
+}
+
+/* A line "p 0.035" of a field by its name, or with what it was before the stage "p 0.0012→0". */
+static void add_value(const Screen *screen, int set, size_t index, const char *name, const char *label,
+                      bool change, char *out, size_t size)
+{
+    const Simulation *sim = experiment_simulation(screen->experiment);
+    const int field = simulation_find_field(sim, set, name);
+    double before;
+    if (field < 0)
+        return;
+    const double now = simulation_value(sim, field, index);
+    text_append(out, size, "\n%s ", label);
+    /* an arrow says that the stage has changed it */
+    if (change && experiment_field_before(screen->experiment, field, index, 1, &before) && before != now)
+        text_append(out, size, "%s→", text_fitted(before, 5, 10).text);
+    text_append(out, size, "%s", text_fitted(now, 5, 10).text);
+}
+
+/* --- what is in sight --------------------------------------------------------------------------------- */
 
 static void place_of(const CellView *view, int set, size_t index, double at[2])
 {
@@ -164,13 +275,13 @@ static bool look(CellView *view, const Screen *screen, bool masses)
     view->stage = &sim->stages[screen_box_stage(screen, &view->done)];
     view->done &= !view->running;
     view->wiped = view->done && experiment_stage(screen->experiment) == 0;
-    cell_terms_find(&view->terms, view->done && !masses ? view->stage : NULL,
-                    view->line ? SHOWN_OF_LINE : SHOWN_OF_PLANE);
+    find_terms(&view->terms, view->done && !masses ? view->stage : NULL,
+               view->line ? SHOWN_OF_LINE : SHOWN_OF_PLANE);
     const long most = masses && set == 0 ? heaviest(view, false) : -1;
     if (most >= 0) { /* of a particle the node that it gives most to */
         view->terms.set = 1;
         view->terms.index = (size_t)most;
-        cell_terms_find(&view->terms, NULL, SHOWN_OF_LINE);
+        find_terms(&view->terms, NULL, SHOWN_OF_LINE);
     }
     if (view->terms.set == 1 && view->terms.n_flows == 0 && view->done && !view->wiped)
         view->has_row = inspector_mass_row(sim, 1, view->terms.index, &view->row);
@@ -220,7 +331,7 @@ static double sum_of_row(const CellView *view)
 
 static Writing writing_of_row(const CellView *view)
 {
-    return writing_of(view->row.masses, view->row.count, 0, sum_of_row(view), CELL_TERM_WIDTH);
+    return writing_of(view->row.masses, view->row.count, 0, sum_of_row(view), TERM_WIDTH);
 }
 
 /* What a node has to do with the stage: its share, what the stage writes of it or what it gives in it. */
@@ -236,9 +347,9 @@ static void node_numbers(const CellView *view, size_t node, char *out, size_t si
     const bool over = view->done && view->stage == &view->sim->stages[view->sim->n_stages - 1];
     if (is_in_row(view, node)) {
         const double mass = view->row.masses[node - view->row.first];
-        text_append(out, size, "\nM %s", cell_term_text(mass, writing_of_row(view)).text);
+        text_append(out, size, "\nM %s", term_text(mass, writing_of_row(view)).text);
         if (!view->masses)
-            cell_value_add(view->screen, 1, node, "velocity", "v", false, out, size);
+            add_value(view->screen, 1, node, "velocity", "v", false, out, size);
     }
     if (view->masses || (is_in_row(view, node) && node != view->terms.index))
         return;
@@ -247,7 +358,7 @@ static void node_numbers(const CellView *view, size_t node, char *out, size_t si
             text_append(out, size, "\nN %s", text_fitted(view->terms.links[i].weight, 5, 9).text);
     for (size_t k = 0; k < sizeof values / sizeof *values && !view->meets; k++)
         if (writes(view, values[k].written))
-            cell_value_add(view->screen, 1, node, values[k].field, values[k].label, !made, out, size);
+            add_value(view->screen, 1, node, values[k].field, values[k].label, !made, out, size);
     /* The velocity by which a node gives, of a bar; each once. */
     const CellTerms *terms = &view->terms;
     for (int f = 0; f < terms->n_flows && !terms->to_nodes && view->line; f++) {
@@ -433,13 +544,13 @@ static void add_particle(const CellView *view, Picture *picture, size_t particle
     label->spare = !own && !(view->line && linked);
     label->thing = "particle";
     if (own && view->line && (terms->to_nodes || terms->n_flows == 0))
-        cell_value_add(view->screen, 0, particle, "x", "x", false, label->text, sizeof label->text);
+        add_value(view->screen, 0, particle, "x", "x", false, label->text, sizeof label->text);
     for (int f = 0; f < terms->n_flows && own && !terms->to_nodes; f++) {
         const char *field = terms->flows[f].exchange->field;
         const int index = simulation_find_field(view->sim, 0, field);
         if (index >= 0)
-            cell_value_add(view->screen, 0, particle, field, view->sim->fields[index].quantity.label,
-                           view->line || terms->flows[f].exchange->adds, label->text, sizeof label->text);
+            add_value(view->screen, 0, particle, field, view->sim->fields[index].quantity.label,
+                      view->line || terms->flows[f].exchange->adds, label->text, sizeof label->text);
     }
 }
 
@@ -463,8 +574,20 @@ static void add_arrow(const CellView *view, Picture *picture, size_t rank)
     }
     /* nearer to the other end, where arrows are apart; in the plane beside it */
     arrow.place = (terms->set == 0) == terms->to_nodes ? 0.62 : 0.38;
-    if (named)
-        cell_terms_arrow(terms, link, &arrow);
+    if (named) {
+        const char *giver = terms->to_nodes ? "particle" : "node",
+                   *taker = terms->to_nodes ? "node" : "particle";
+        snprintf(arrow.told, sizeof arrow.told, "%s %zu gives to %s %zu", giver,
+                 terms->to_nodes ? particle : node, taker, terms->to_nodes ? node : particle);
+    }
+    for (int f = 0; f < terms->n_flows && named; f++) {
+        const Flowing *flow = &terms->flows[f];
+        char words[32];
+        strcpy(arrow.brief[f], term_text(flow->terms[link], flow->writing).text);
+        snprintf(arrow.text[f], sizeof arrow.text[f], "%s %.20s", flow->exchange->factors, arrow.brief[f]);
+        text_to_ascii(flow->exchange->factors, words, sizeof words);
+        text_append(arrow.told, sizeof arrow.told, "%s %s = %.20s", f ? " and" : "", words, arrow.brief[f]);
+    }
     if (named && !view->line) {
         double own[2];
         place_of(view, 1 - terms->set, other, arrow.at);
@@ -484,7 +607,7 @@ static void add_row(const CellView *view, Picture *picture)
     for (size_t k = 0; k < view->row.count; k++)
         sum += terms[k] =
             view->row.masses[k] * simulation_named(view->sim, 1, "velocity", view->row.first + k);
-    const Writing writing = writing_of(terms, view->row.count, 0, sum, CELL_TERM_WIDTH);
+    const Writing writing = writing_of(terms, view->row.count, 0, sum, TERM_WIDTH);
     for (size_t k = 0; k < view->row.count; k++) {
         const size_t node = view->row.first + k;
         const double apart = fabs((double)node - (double)view->terms.index), y = view->grid - 1 - 1.2 * apart;
@@ -494,7 +617,7 @@ static void add_row(const CellView *view, Picture *picture)
                               .from = {at[0], apart > 0 ? y : DOTS_ROW + 1},
                               .to = {own[0] + aside, y},
                               .place = apart > 0 ? 0.4 : 0.5};
-        strcpy(arrow.brief[0], cell_term_text(terms[k], writing).text);
+        strcpy(arrow.brief[0], term_text(terms[k], writing).text);
         snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
         snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
                  arrow.brief[0], view->terms.index);
@@ -514,7 +637,7 @@ static void tell_row(const CellView *view, Picture *picture)
     else
         for (size_t k = 0; k < view->row.count; k++)
             text_append(text, sizeof text, "%s%s", k ? " + " : "",
-                        cell_term_text(view->row.masses[k], writing_of_row(view)).text);
+                        term_text(view->row.masses[k], writing_of_row(view)).text);
     if (view->row.count > 1)
         text_append(text, sizeof text, " = %s", sum.text);
     picture_label(picture, at[0], 3.2, 0, STYLE_CHANGED, "%s", text);
@@ -624,7 +747,7 @@ static void describe_mesh(const CellView *view, Picture *picture)
 {
     const CellTerms *terms = &view->terms;
     const RowList *bodies = &experiment_settings(view->screen->experiment)->rows[ROWS_BODIES];
-    char name[PICTURE_TEXT_MAX], rest[sizeof picture->labels[0].text];
+    char name[PICTURE_TEXT_MAX], rest[sizeof picture->labels[0].text] = "";
     name_of(view, name);
     picture->kind = PICTURE_DRAWING;
     picture->bare = true;
@@ -637,7 +760,16 @@ static void describe_mesh(const CellView *view, Picture *picture)
     for (size_t rank = 0; rank < (view->line ? terms->shown : terms->n_links); rank++)
         if (terms->n_flows > 0 || (!view->done && !view->running && !view->masses))
             add_arrow(view, picture, rank);
-    cell_terms_rest(terms, rest, sizeof rest);
+    /* The weaker ones, each exchange as one number: "5 more: m v N 0.01, m N 0.2". */
+    for (int f = 0; f < terms->n_flows && terms->shown < terms->n_links; f++) {
+        double sum = 0;
+        for (size_t i = terms->shown; i < terms->n_links; i++)
+            sum += terms->flows[f].terms[terms->order[i]];
+        if (f == 0)
+            text_append(rest, sizeof rest, "%zu more: ", terms->n_links - terms->shown);
+        text_append(rest, sizeof rest, "%s%s %s", f ? ", " : "", terms->flows[f].exchange->factors,
+                    term_text(sum, terms->flows[f].writing).text);
+    }
     if (rest[0])
         picture_label(picture, view->low[0], (view->low[1] + view->high[1]) / 2, 1, STYLE_CHANGED, "%s",
                       rest);
