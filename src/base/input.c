@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opening and reading files from outside (input.h): O_NONBLOCK while opening, so that a pipe does not
- * wait, and only regular files; line by line up to a bound. Whatever reads a file from a user goes through
- * here. */
+/* Opening and reading files from outside (input.h): O_NONBLOCK while opening, so that a pipe does not wait.
+ */
 #include "base/input.h"
 
 #include <errno.h>

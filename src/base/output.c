@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The gate for writing (output.h): who may write, names made absolute, and files written under a temporary
- * name that takes the final one at the end, after fsync() of file and folder. Everything else that the
- * program does to a disk is here too. */
+/* The gate for writing (output.h), and everything else that the program does to a disk. */
 #include "base/output.h"
 
 #include "base/input.h"
@@ -465,8 +463,6 @@ void output_close(OutputFile *file)
     free(file->target);
     *file = (OutputFile){0};
 }
-
-/* --- output that is not one whole file ------------------------------------------------------------------ */
 
 void output_make_own_folders(Asker asker, const char *file)
 {

@@ -227,8 +227,6 @@ static const GrammarDialect dialect = {.level = LEVEL_SUM,
                                        .apply = apply,
                                        .refuse = refuse};
 
-/* --- the whole ------------------------------------------------------------------------------------------ */
-
 static bool read_all(Reader *reader, const char *text)
 {
     bool truth;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Handlers that note the first signal and do nothing else (signals.h); main loop, workers and long
- * commands look at the note between steps. Which handlers stood before is kept, so that a signal can be
- * taken back before the process ends itself by it. */
+/* Handlers that note the first signal and do nothing else (signals.h). Which handlers stood before is kept,
+ * so that a signal can be taken back before the process ends itself by it. */
 #include "base/signals.h"
 #include "base/wait.h"
 

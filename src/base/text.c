@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers and words as text (text.h), by snprintf() and strtod(): LC_NUMERIC stays "C" in this
- * program. The shortest text is found by trying more and more digits, up to 17. */
+/* Numbers and words as text (text.h), by snprintf() and strtod(): LC_NUMERIC stays "C" in this program. */
 #include "base/math/functions.h"
 #include "base/text.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The number of threads to use by default (threads.h): from the affinity mask of the process and
- * OMP_NUM_THREADS. The threads themselves are those of the pool (methods/pool.h). */
+/* The number of threads to use by default (threads.h); the threads themselves are the pool's
+ * (methods/pool.h). */
 #include "base/threads.h"
 
 #include <errno.h>

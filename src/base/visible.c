@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes out what would act or hide on a terminal (visible.h): UTF-8 is decoded character by character,
- * and each is copied or replaced by its escape. The table holds Unicode's format and control characters. */
+/* Writes out what would act or hide on a terminal (visible.h), character by character. */
 #include "base/visible.h"
 
 #include <stdint.h>

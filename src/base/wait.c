@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ppoll() where the system has it; elsewhere the same by pselect(), whose sets of descriptors are made
- * from the list and read back into it. */
+/* ppoll() where the system has it; elsewhere the same by pselect(). */
 #include "base/wait.h"
 
 #include <stdbool.h>

@@ -10,8 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* --- answers -------------------------------------------------------------------------------------- */
-
 /* The plane problem's own period belongs to ends that are held as whole sections. */
 static double plane_period(const Settings *settings)
 {
@@ -112,8 +110,6 @@ static const char *damping(const Settings *settings)
     return settings_transfer(settings)->algorithm == MPM_USL ? "USL damping" : NULL;
 }
 
-/* --- the sharp invariant -------------------------------------------------------------------------- */
-
 /* E* (answers/references.h): sum of m v^n v^(n+1)/2 and the strain energy that belongs to it. */
 static double invariant(Simulation *sim, const Settings *settings)
 {
@@ -134,8 +130,6 @@ static bool invariant_kept(const Settings *settings)
 {
     return settings_transfer(settings)->flip_fraction == 1 && !(settings->problem->concerns & CONCERN_MOTION);
 }
-
-/* --- the solvers ---------------------------------------------------------------------------------- */
 
 #define BEAM_KEYS                                                                                            \
     "scenario.method", "beam.length", "beam.height", "beam.thickness", "beam.youngs_modulus",                \

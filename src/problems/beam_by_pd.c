@@ -14,8 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- settings to simulation ----------------------------------------------------------------------- */
-
 static bool check(const Settings *settings, Status *status)
 {
     const BeamDef beam = beam_definition(settings, 1);

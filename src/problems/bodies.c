@@ -45,8 +45,6 @@ static const Solver bodies_by_mpm = {
     .findings = bodies_findings,
 };
 
-/* --- the problem ---------------------------------------------------------------------------------- */
-
 static const ParameterUse uses[] = {
     {USE("domain.width", 1)},
     {USE("domain.height", 1)},

@@ -155,8 +155,6 @@ static void find_touches(Answers *answers)
                                                                  : fmin(answers->met, answers->hit);
 }
 
-/* --- down an incline ------------------------------------------------------------------------------ */
-
 static void find_slide(Answers *answers)
 {
     const MpmDef *def = &answers->def;

@@ -20,8 +20,6 @@ static long least(long a, long b)
     return a < b ? a : b;
 }
 
-/* --- life ----------------------------------------------------------------------------------------- */
-
 bool run_open(Run *run, const Settings *settings, Simulation *sim, Status *status)
 {
     *run = (Run){.settings = settings, .sim = sim, .cancel = settings->cancel};

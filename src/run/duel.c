@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Two runs side by side (duel.h): A is the scenario, B the same with some keys changed. Every verb acts on
- * A and then brings B to the same time; B is made again whenever A becomes another run. If B fails alone it
- * stays at its last sound step. */
+/* Two runs side by side (duel.h): every verb acts on A and then brings B to the same time; B is made again
+ * whenever A becomes another run. */
 #include "run/duel.h"
 
 #include "base/assertion.h"
@@ -99,8 +98,6 @@ static bool second_settings(const Duel *duel, const Settings *first, Settings *o
     return (first->n_changes == 0 || problem_time_step(first, &dt, status)) &&
            changes_keep_time(out, &dt, status) && changes_advice(out, advice, sizeof advice, status);
 }
-
-/* --- the exact answers ----------------------------------------------------------------------------- */
 
 /* Whether one curve stands for both: the exact answer at a few places and times. */
 static bool same_exact(const Experiment *a, const Experiment *b)
@@ -313,8 +310,6 @@ void duel_cancel(Duel *duel)
     else
         seek_second(duel);
 }
-
-/* --- other settings -------------------------------------------------------------------------------- */
 
 bool duel_restart(Duel *duel, bool keep_ghost, Status *status)
 {

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The events of a run in one list (event_log.h): what was known before it (advice, changes), what the
- * method reported, and what follows from the record: drift of the energy by levels, lag behind the exact
- * answer. Brought up to date after each piece of work. */
+/* The events of a run in one list (event_log.h), brought up to date after each piece of work. */
 #include "run/experiment_internal.h"
 #include "scenario/changes.h"
 
@@ -17,8 +15,6 @@ static void add(Event *events, int *count, int most, long step, EventKind kind, 
     event->kind = kind;
     snprintf(event->text, sizeof event->text, "%.119s", text);
 }
-
-/* --- what was known beforehand, and what was changed --------------------------------------------------- */
 
 static void add_advice(EventLog *log, const Settings *settings, long step, char last[160])
 {
@@ -44,8 +40,6 @@ static void add_changes(EventLog *log, const Settings *settings)
         add_advice(log, &then, change->step, last);
     }
 }
-
-/* --- energy ------------------------------------------------------------------------------------------- */
 
 /* A drift is reported when it is beyond a level in two periods in a row: the sum of energies that are half a
  * step apart ripples. */
@@ -112,8 +106,6 @@ static void watch_energy(EnergyWatch *watch, const Experiment *experiment, const
     }
 }
 
-/* --- the lag ------------------------------------------------------------------------------------------ */
-
 /* Periods that the run falls behind in a unit of time; 0: not known. What the mesh predicts does not change
  * while the run goes on; it counts where the run does as predicted. */
 static double lag_per_time(const Readout *readout)
@@ -143,8 +135,6 @@ static void add_lags(EventLog *log, const Experiment *experiment)
         add(log->events, &log->count, EVENT_LOG_MAX, lround(step), EVENT_LATE, text);
     }
 }
-
-/* --- together ----------------------------------------------------------------------------------------- */
 
 static void sort(Event *events, int count)
 {

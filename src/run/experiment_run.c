@@ -34,8 +34,6 @@ static void note_now(Experiment *experiment)
         changes_in_force(&experiment->base, experiment->run.sim->step, &experiment->now);
 }
 
-/* --- what is kept on the way ------------------------------------------------------------------------ */
-
 static bool keep_row(void *owner, Run *run, long step, const double *method_row, Status *status)
 {
     Experiment *experiment = owner;
@@ -69,8 +67,6 @@ static void sinks_of(Experiment *experiment, Sink sinks[2])
                       .beside = &sinks[1]};
     sinks[1] = (Sink){.next = next_keyframe, .state = keep_frame, .owner = experiment};
 }
-
-/* --- life ----------------------------------------------------------------------------------------- */
 
 /* They do not depend on the state, and take searches for eigenvalues: once for all pictures that have the
  * same settings. */
@@ -246,8 +242,6 @@ bool experiment_do_steps(Experiment *experiment, long steps, Status *status)
     return experiment_go(experiment, RUN_STEPS, sound, status) &&
            (sound == steps || run->sim->step >= run->last || status_take(status, &run->failure));
 }
-
-/* --- backwards ------------------------------------------------------------------------------------ */
 
 void experiment_approach(Experiment *experiment, long step, int stage)
 {

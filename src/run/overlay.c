@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads a table of any origin (overlay.h): lines, cells, numbers; separator and decimal sign are found
- * from the first lines. Then columns by name or number, rows sorted by x. Bounds on lines, cells and
- * memory: files come from anywhere. */
+/* Reads a table of any origin (overlay.h). Bounds on lines, cells and memory: files come from anywhere. */
 #include "run/overlay.h"
 
 #include "base/assertion.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Keeps the rows of a run within a budget (record.h): every `spacing` steps, doubled when the budget is
- * full, with the newest row kept beside until the next one that is due. */
+/* Keeps rows and keyframes of a run within a budget (record.h). */
 #include "run/record.h"
 
 #include "base/assertion.h"

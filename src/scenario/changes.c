@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Changes in mid-run (changes.h): what is in force at a step is the settings with all changes up to it
- * applied in order. */
+/* Changes in mid-run (changes.h). */
 #include "scenario/changes.h"
 #include "base/assertion.h"
 #include "scenario/settings.h"

@@ -204,8 +204,6 @@ bool parameter_can_be_asked(const Parameter *parameter, const Problem *problem)
     return parameter_applies(parameter, problem) && (parameter->choices || parameter_is_size(parameter));
 }
 
-/* --- values ----------------------------------------------------------------------------------------- */
-
 void settings_put(Settings *settings, const Parameter *parameter, double value)
 {
     void *at = (char *)settings + parameter->offset;
@@ -283,8 +281,6 @@ void settings_default(Settings *settings, const Problem *problem)
     settings_edit_contact(settings)->gap_given = false;
     settings_default_rows(settings);
 }
-
-/* --- text out ------------------------------------------------------------------------------------- */
 
 void parameter_cipher(const char *word, char out[CIPHER_MAX])
 {

@@ -42,8 +42,6 @@ static bool at_line(const Source *source, const Entry *entry, Status *status)
     return status_prefix(status, "%s:%d", source->file, entry->line);
 }
 
-/* --- keys that stand twice ------------------------------------------------------------------------ */
-
 static bool same_key(const Entry *a, const Entry *b)
 {
     if (strcmp(a->section, b->section) != 0 || strcmp(a->name, b->name) != 0)
@@ -344,8 +342,6 @@ bool scenario_load(const char *name_or_path, Settings *settings, Status *status)
 {
     return scenario_load_with(name_or_path, NULL, 0, settings, status);
 }
-
-/* --- coarse forms for the screen -------------------------------------------------------------------- */
 
 static const struct {
     const char *whole, *coarse;

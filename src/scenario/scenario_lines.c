@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads a scenario line by line: what a line may be is decided here, what a key means is not
- * (scenario_lines.h). */
+/* Reads a scenario line by line (scenario_lines.h). */
 #include "scenario/scenario_lines.h"
 
 #include "base/input.h"
@@ -39,8 +38,6 @@ static bool fail_about(Reader *reader, const char *subject, const char *what)
 
 enum { RAW_MAX = 1000 }; /* bytes of a line with its comment */
 
-/* --- what a line is ------------------------------------------------------------------------------- */
-
 static size_t word_length(const char *text)
 {
     return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-");
@@ -67,8 +64,6 @@ bool scenario_may_continue(const char *section, const char *name)
     const Parameter *text = parameter_text_find(key), *parameter = text ? text : parameter_find(key);
     return parameter && parameter->goes_on;
 }
-
-/* --- entries -------------------------------------------------------------------------------------- */
 
 static bool accept_section(Reader *reader, const char *line)
 {
@@ -148,8 +143,6 @@ static bool accept_indented(Reader *reader, const char *text)
         return fail_about(reader, entry->name, "is too long (at most 1023 bytes)");
     return true;
 }
-
-/* --- the whole file --------------------------------------------------------------------------------- */
 
 bool entries_read(Entries *entries, FILE *stream, const char *file, Status *status)
 {

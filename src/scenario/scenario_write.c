@@ -12,8 +12,6 @@
 #include <errno.h>
 #include <string.h>
 
-/* --- texts ---------------------------------------------------------------------------------------- */
-
 /* A text that the reader would cut or strip: comment signs after a space or at the start, spaces at an end.
  */
 static bool would_be_damaged(const char *text)
@@ -196,8 +194,6 @@ bool scenario_write(FILE *stream, const Settings *settings, const char *comment,
         return status_fail(status, "cannot write the scenario: %s", strerror(errno));
     return true;
 }
-
-/* --- what was changed ------------------------------------------------------------------------------- */
 
 static void take_row(const char *section, const char *name, const char *value, AssignmentTaker *take,
                      void *context)

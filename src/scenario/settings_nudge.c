@@ -10,8 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- nudges --------------------------------------------------------------------------------------- */
-
 /* Rungs 1, 2, 5 of each decade are numbered: 0 is 1, 1 is 2, 2 is 5, 3 is 10, -1 is 0.5. */
 static double rung_value(long rung)
 {
@@ -193,8 +191,6 @@ bool settings_row_nudge(Settings *settings, const RowPlace *place, int direction
     *settings = candidate;
     return true;
 }
-
-/* --- questions ------------------------------------------------------------------------------------ */
 
 bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
 {

@@ -55,10 +55,17 @@ static double duration(const Part *part)
     return (part->right - part->left) / part->speed;
 }
 
-/* Nothing but a pulse, or sines on two materials, makes waves that elastic_bar.h does not know. */
+/* Modes of the bar, and loads, are elastic_bar.h's; sines on two materials are none, and start as a velocity,
+ * half to each side. */
+static bool are_waves(const BarTheory *bar)
+{
+    return bar_is_layered(bar) && bar->of_sines;
+}
+
+/* Nothing but a pulse, or such sines, makes waves that elastic_bar.h does not know. */
 static bool are_there(const BarTheory *bar)
 {
-    return bar->pulse.velocity != 0 || (bar_is_layered(bar) && bar->of_sines);
+    return bar->pulse.velocity != 0 || are_waves(bar);
 }
 
 /* How many pairs (i, j) there are at most, in both directions. */
@@ -135,19 +142,13 @@ double bar_waves_start_stress(const BarTheory *bar, double x)
     return impedance * (2 * bar->pulse.to_left - 1) * pulse(bar, x);
 }
 
-/* Modes of the bar are elastic_bar.h's; what is none starts as a velocity, half to each side. */
-static bool are_waves(const Waves *waves)
-{
-    return waves->parts > 1 && waves->bar->of_sines;
-}
-
 /* int phi dx from the left end: (1 - cos beta x)/beta left fixed, sin(beta x)/beta left free; x of rigid
  * motion. */
 static double mode_share_until(const Waves *waves, double x)
 {
     const BarTheory *bar = waves->bar;
     double sum = 0;
-    for (int i = 0; are_waves(waves) && i < bar->n_modes; i++) {
+    for (int i = 0; are_waves(bar) && i < bar->n_modes; i++) {
         const double beta = bar_wave_number(bar, bar->modes[i].number);
         const double whole = !(beta > 0)       ? bar_start_shape(bar, 0, x) * x
                              : bar->left_fixed ? (1 - math_cos(beta * x)) / beta
@@ -189,7 +190,7 @@ static double from_start(const Waves *waves, int of, Way way, bool integral, dou
 {
     const double c = waves->part[of].speed, sign = way == TO_RIGHT ? 1 : -1;
     if (!integral)
-        return (are_waves(waves) ? bar_initial_velocity(waves->bar, begun) / 2 : 0) +
+        return (are_waves(waves->bar) ? bar_initial_velocity(waves->bar, begun) / 2 : 0) +
                pulse_share(waves, way) * pulse(waves->bar, begun);
     double sum = mode_share_until(waves, x) - mode_share_until(waves, begun);
     sum += pulse_share(waves, way) * (pulse_until(waves->bar, x) - pulse_until(waves->bar, begun));
@@ -279,12 +280,6 @@ static double shorten(const Waves *waves, double t)
     return waves->parts == 1 ? t - floor(t / period) * period : t;
 }
 
-/* What is of modes and loads. */
-static bool has_rest(const BarTheory *bar)
-{
-    return !(bar_is_layered(bar) && bar->of_sines);
-}
-
 /* Both waves at a place and time, or their integrals over time; 0 where there are none. */
 typedef struct Both {
     double to_right, to_left, impedance;
@@ -304,14 +299,14 @@ static Both both_at(const BarTheory *bar, bool integral, double x, double t)
 
 double bar_waves_velocity(const BarTheory *bar, double x, double t)
 {
-    const double rest = has_rest(bar) ? bar_velocity(bar, x, t) : 0;
+    const double rest = are_waves(bar) ? 0 : bar_velocity(bar, x, t);
     const Both both = both_at(bar, false, x, t);
     return rest + both.to_right + both.to_left;
 }
 
 double bar_waves_stress(const BarTheory *bar, double x, double t)
 {
-    const double rest = has_rest(bar) ? bar_stress(bar, x, t) : 0;
+    const double rest = are_waves(bar) ? 0 : bar_stress(bar, x, t);
     const Both both = both_at(bar, false, x, t);
     return rest + both.impedance * (both.to_left - both.to_right);
 }
@@ -337,7 +332,7 @@ static double start_momentum(const Waves *waves)
 
 double bar_waves_displacement(const BarTheory *bar, double x, double t)
 {
-    const double rest = has_rest(bar) ? bar_displacement(bar, x, t) : 0;
+    const double rest = are_waves(bar) ? 0 : bar_displacement(bar, x, t);
     const Both both = both_at(bar, true, x, t);
     double drift = 0;
     if (both.left_out > 0 && !bar->left_fixed && !bar->right_fixed) {
@@ -357,7 +352,7 @@ static double impulse_at(const Waves *waves, int part, double x, double t)
 double bar_waves_centre_velocity(const BarTheory *bar, double t)
 {
     ASSERT_REAL(t, >=, 0);
-    const double rest = has_rest(bar) ? bar_centre_velocity(bar, t) : 0;
+    const double rest = are_waves(bar) ? 0 : bar_centre_velocity(bar, t);
     if (!are_there(bar))
         return rest;
     const Waves waves = waves_of(bar);

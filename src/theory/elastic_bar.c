@@ -317,38 +317,27 @@ double bar_share_of_sine(const BarTheory *bar, int start, int number)
  *     fixed-free    rho b/E x (L - x/2) + t/E x
  *     free-fixed    rho b/E (L - x)(L + x)/2 - t/E (L - x)
  *     free-free     t/E (x - L/2), about the centre of mass; b is in the rigid motion */
-static double static_displacement(const BarTheory *bar, double x)
+typedef struct Statics {
+    double w, slope; /* w' */
+} Statics;
+
+static Statics statics_at(const BarTheory *bar, double x)
 {
     double length = bar->length;
     double stretch = bar->traction / bar->youngs_modulus;
     double bend = bar->body_force * bar->density / bar->youngs_modulus;
     if (bar->left_fixed && bar->right_fixed)
-        return bend * x * (length - x) / 2;
+        return (Statics){bend * x * (length - x) / 2, bend * (length / 2 - x)};
     if (bar->left_fixed)
-        return bend * x * (length - x / 2) + stretch * x;
+        return (Statics){bend * x * (length - x / 2) + stretch * x, bend * (length - x) + stretch};
     if (bar->right_fixed)
-        return bend * (length - x) * (length + x) / 2 - stretch * (length - x);
-    return stretch * (x - length / 2);
+        return (Statics){bend * (length - x) * (length + x) / 2 - stretch * (length - x), stretch - bend * x};
+    return (Statics){stretch * (x - length / 2), stretch};
 }
 
-static double static_slope(const BarTheory *bar, double x)
-{
-    double length = bar->length;
-    double stretch = bar->traction / bar->youngs_modulus;
-    double bend = bar->body_force * bar->density / bar->youngs_modulus;
-    if (bar->left_fixed && bar->right_fixed)
-        return bend * (length / 2 - x);
-    if (bar->left_fixed)
-        return bend * (length - x) + stretch;
-    if (bar->right_fixed)
-        return stretch - bend * x;
-    return stretch;
-}
-
-/* The point of the bar whose image x is under reflections at the ends: W(x) = *sign w(result). A reflection
- * at a fixed end turns the sign of a displacement; *turned: an odd number of reflections, slopes change
- * theirs too. */
-static double fold(const BarTheory *bar, double x, double *sign, bool *turned)
+/* W and W' at x, which is the image of a point of the bar under reflections at the ends. A reflection at a
+ * fixed end turns the sign of a displacement; an odd number of reflections that of slopes too. */
+static Statics continued(const BarTheory *bar, double x)
 {
     double bars = floor(x / bar->length);
     double inside = x - bars * bar->length;
@@ -357,25 +346,10 @@ static double fold(const BarTheory *bar, double x, double *sign, bool *turned)
     double first = ceil(met / 2), second = floor(met / 2);
     double left = bars < 0 ? first : second, right = bars < 0 ? second : first;
     bool flipped = (bar->left_fixed && fmod(left, 2) != 0) != (bar->right_fixed && fmod(right, 2) != 0);
-    *sign = flipped ? -1 : 1;
-    *turned = fmod(met, 2) != 0;
-    return *turned ? bar->length - inside : inside;
-}
-
-static double continued_displacement(const BarTheory *bar, double x)
-{
-    double sign;
-    bool turned;
-    double inside = fold(bar, x, &sign, &turned);
-    return sign * static_displacement(bar, inside);
-}
-
-static double continued_slope(const BarTheory *bar, double x)
-{
-    double sign;
-    bool turned;
-    double inside = fold(bar, x, &sign, &turned);
-    return (turned ? -sign : sign) * static_slope(bar, inside);
+    const double sign = flipped ? -1 : 1;
+    const bool turned = fmod(met, 2) != 0;
+    const Statics there = statics_at(bar, turned ? bar->length - inside : inside);
+    return (Statics){sign * there.w, (turned ? -sign : sign) * there.slope};
 }
 
 static bool is_loaded(const BarTheory *bar)
@@ -395,8 +369,8 @@ double bar_displacement(const BarTheory *bar, double x, double t)
     }
     if (is_loaded(bar)) {
         double way = bar_wave_speed(bar) * t;
-        sum += static_displacement(bar, x);
-        sum -= (continued_displacement(bar, x - way) + continued_displacement(bar, x + way)) / 2;
+        sum += statics_at(bar, x).w;
+        sum -= (continued(bar, x - way).w + continued(bar, x + way).w) / 2;
         sum += is_free_free(bar) ? bar->body_force * t * t / 2 : 0;
     }
     return sum;
@@ -413,7 +387,7 @@ double bar_velocity(const BarTheory *bar, double x, double t)
     }
     if (is_loaded(bar)) {
         double c = bar_wave_speed(bar);
-        sum += c / 2 * (continued_slope(bar, x - c * t) - continued_slope(bar, x + c * t));
+        sum += c / 2 * (continued(bar, x - c * t).slope - continued(bar, x + c * t).slope);
         sum += is_free_free(bar) ? bar->body_force * t : 0;
     }
     return sum;
@@ -431,8 +405,8 @@ double bar_stress(const BarTheory *bar, double x, double t)
     }
     if (is_loaded(bar)) {
         double way = bar_wave_speed(bar) * t;
-        strain += static_slope(bar, x);
-        strain -= (continued_slope(bar, x - way) + continued_slope(bar, x + way)) / 2;
+        strain += statics_at(bar, x).slope;
+        strain -= (continued(bar, x - way).slope + continued(bar, x + way).slope) / 2;
     }
     return bar_modulus_at(bar, x) * strain;
 }
@@ -448,8 +422,8 @@ double bar_centre_velocity(const BarTheory *bar, double t)
     if (is_loaded(bar)) {
         /* int W'(x -+ ct) dx over the bar is a difference of two values of W */
         double c = bar_wave_speed(bar), length = bar->length;
-        double right = continued_displacement(bar, length - c * t) - continued_displacement(bar, -c * t);
-        double left = continued_displacement(bar, length + c * t) - continued_displacement(bar, c * t);
+        double right = continued(bar, length - c * t).w - continued(bar, -c * t).w;
+        double left = continued(bar, length + c * t).w - continued(bar, c * t).w;
         sum += c / (2 * length) * (right - left);
         sum += is_free_free(bar) ? bar->body_force * t : 0;
     }

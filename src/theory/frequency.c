@@ -30,8 +30,6 @@ enum {
     SAMPLES_MIN = 8
 };
 
-/* --- the spectrum -------------------------------------------------------------------------------- */
-
 /* Bluestein: with k j = (k^2 + j^2 - (k - j)^2)/2 the transform
  *
  *     X_k = sum_j x_j exp(-2 pi i k j/n) = w_k sum_j (x_j w_j) conj(w_{k-j}),   w_k = exp(-i pi k^2/n)
@@ -96,8 +94,6 @@ bool frequency_spectrum(const double *values, size_t count, double *out)
     free(windowed), free(work);
     return true;
 }
-
-/* --- least squares ------------------------------------------------------------------------------- */
 
 /* The record as the fit sees it: its time runs from -1 to 1, its values are of order 1. Angles are then
  * half the record's, and the unknowns hardly depend on each other. Unknowns: the first line's angle, cosine

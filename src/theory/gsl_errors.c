@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Counts the callers between gsl_errors_off() and gsl_errors_on() (gsl_errors.h): the first turns GSL's error
- * handler off, the last puts the previous one back. */
+/* Counts the callers between gsl_errors_off() and gsl_errors_on() (gsl_errors.h). */
 #include "theory/gsl_errors.h"
 
 #include <gsl/gsl_errno.h>

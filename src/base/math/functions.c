@@ -408,8 +408,6 @@ double math_hypot(double x, double y)
     return accurate_hypot(x, y);
 }
 
-/* --- for the libraries ----------------------------------------------------------------------------- */
-
 /* GSL calls functions by these names (hypot in every QR factor and eigenvalue, pow for the size of a step,
  * cos for Gauss' points, sin, cos, log and exp in Ci, J0, J1 and Student's t), and what it finds enters
  * columns and answers: the program's own definitions stand before the C library's. */

@@ -273,109 +273,62 @@ void row_write_difference(const RowKind *kind, const Row *row, const Row *other,
 const char *const row_edge_words[] = {"top", "bottom", "left", "right", NULL};
 const char *const row_shape_words[] = {"disc", "ring", "block", NULL};
 
-#define PLACE(name, along)                                                                                   \
-    {                                                                                                        \
-        .word = name, .value = along, .unit = "m"                                                            \
-    }
+#define VALUE(name, its_value, its_unit)  .word = name, .value = its_value, .unit = its_unit
+#define OPTION(name, its_value, its_unit) VALUE(name, its_value, its_unit), .optional = true
 #define RECTANGLE                                                                                            \
-    PLACE("x0", ROW_ALONG_X), PLACE("y0", ROW_ALONG_Y), PLACE("x1", ROW_ALONG_X), PLACE("y1", ROW_ALONG_Y)
-#define NUMBER(name, its_unit)                                                                               \
+    {VALUE("x0", ROW_ALONG_X, "m")}, {VALUE("y0", ROW_ALONG_Y, "m")}, {VALUE("x1", ROW_ALONG_X, "m")},       \
     {                                                                                                        \
-        .word = name, .value = ROW_NUMBER, .unit = its_unit                                                  \
-    }
-#define OPTION(name, its_value, its_unit, if_absent)                                                         \
-    {                                                                                                        \
-        .word = name, .value = its_value, .unit = its_unit, .optional = true, .absent = if_absent            \
-    }
-/* Of bodies, in units of one's own. */
-#define OF_SHAPES(name, its_value, shapes)                                                                   \
-    {                                                                                                        \
-        .word = name, .value = its_value, .unit = "", .of = shapes                                           \
+        VALUE("y1", ROW_ALONG_Y, "m")                                                                        \
     }
 enum { DISC = 1 << 0, RING = 1 << 1, BLOCK = 1 << 2 };
 
+#define KIND(its_section, its_one, its_form) .section = its_section, .one = its_one, .form = its_form
+#define COLUMNS(...)                                                                                         \
+    .columns = {__VA_ARGS__}, .n_columns = sizeof((RowColumn[]){__VA_ARGS__}) / sizeof(RowColumn)
+
 const RowKind row_kinds[ROW_KINDS] = {
-    [ROWS_CUTS] = {.section = "cuts",
-                   .one = "cut",
-                   .form = "X0 Y0 X1 Y1",
-                   .fresh = "25% 50% 75% 50%",
+    [ROWS_CUTS] = {KIND("cuts", "cut", "X0 Y0 X1 Y1"), .concern = CONCERN_PLATE, .fresh = "25% 50% 75% 50%",
                    .help = "a straight cut from one place to another: the bonds that cross it are gone",
-                   .concern = CONCERN_PLATE,
-                   .columns = {RECTANGLE},
-                   .n_columns = 4},
-    [ROWS_LOADS] = {.section = "loads",
-                    .one = "load",
-                    .form = "EDGE FROM TO SX SY [ramp T] [until T]",
+                   COLUMNS(RECTANGLE)},
+    [ROWS_LOADS] = {KIND("loads", "load", "EDGE FROM TO SX SY [ramp T] [until T]"), .concern = CONCERN_PLATE,
                     .fresh = "top 0% 100% 0 1e6",
                     .help =
                         "a traction on a stretch of an edge (top | bottom | left | right) from t = 0 on; it "
                         "rises in the time ramp and is gone after until",
-                    .concern = CONCERN_PLATE,
-                    .columns = {{.word = "edge", .value = ROW_EDGE, .unit = ""},
-                                PLACE("from", ROW_ALONG_EDGE),
-                                PLACE("to", ROW_ALONG_EDGE),
-                                NUMBER("sx", "Pa"),
-                                NUMBER("sy", "Pa"),
-                                OPTION("ramp", ROW_TIME, "s", 0),
-                                OPTION("until", ROW_TIME, "s", HUGE_VAL)},
-                    .n_columns = 7},
-    [ROWS_SUPPORTS] = {.section = "supports",
-                       .one = "support",
-                       .form = "X0 Y0 X1 Y1 [ux V] [uy V]",
+                    COLUMNS({VALUE("edge", ROW_EDGE, "")}, {VALUE("from", ROW_ALONG_EDGE, "m")},
+                            {VALUE("to", ROW_ALONG_EDGE, "m")}, {VALUE("sx", ROW_NUMBER, "Pa")},
+                            {VALUE("sy", ROW_NUMBER, "Pa")}, {OPTION("ramp", ROW_TIME, "s")},
+                            {OPTION("until", ROW_TIME, "s"), .absent = HUGE_VAL})},
+    [ROWS_SUPPORTS] = {KIND("supports", "support", "X0 Y0 X1 Y1 [ux V] [uy V]"), .concern = CONCERN_PLATE,
                        .fresh = "0% 0% 10% 10% ux 0 uy 0",
                        .help = "a rectangle that moves with a given velocity, along x, y or both; 0 holds it",
-                       .concern = CONCERN_PLATE,
                        .needs_optional = true,
-                       .columns = {RECTANGLE, OPTION("ux", ROW_NUMBER, "m/s", 0),
-                                   OPTION("uy", ROW_NUMBER, "m/s", 0)},
-                       .n_columns = 6},
-    [ROWS_IMPULSES] = {.section = "impulses",
-                       .one = "impulse",
-                       .form = "X0 Y0 X1 Y1 VX VY",
-                       .fresh = "25% 25% 75% 75% 0 1",
-                       .help = "the velocity of a rectangle at t = 0",
-                       .concern = CONCERN_PLATE,
-                       .columns = {RECTANGLE, NUMBER("vx", "m/s"), NUMBER("vy", "m/s")},
-                       .n_columns = 6},
-    [ROWS_PROTECTED] = {.section = "protected",
-                        .one = "protected region",
-                        .form = "X0 Y0 X1 Y1",
+                       COLUMNS(RECTANGLE, {OPTION("ux", ROW_NUMBER, "m/s")},
+                               {OPTION("uy", ROW_NUMBER, "m/s")})},
+    [ROWS_IMPULSES] = {KIND("impulses", "impulse", "X0 Y0 X1 Y1 VX VY"), .concern = CONCERN_PLATE,
+                       .fresh = "25% 25% 75% 75% 0 1", .help = "the velocity of a rectangle at t = 0",
+                       COLUMNS(RECTANGLE, {VALUE("vx", ROW_NUMBER, "m/s")},
+                               {VALUE("vy", ROW_NUMBER, "m/s")})},
+    [ROWS_PROTECTED] = {KIND("protected", "protected region", "X0 Y0 X1 Y1"), .concern = CONCERN_PLATE,
                         .fresh = "0% 0% 10% 100%",
                         .help = "a rectangle whose nodes keep their bonds, however far these stretch",
-                        .concern = CONCERN_PLATE,
-                        .columns = {RECTANGLE},
-                        .n_columns = 4},
-    [ROWS_PROBE] = {.section = "probe",
-                    .one = "probe",
-                    .form = "X Y",
+                        COLUMNS(RECTANGLE)},
+    [ROWS_PROBE] = {KIND("probe", "probe", "X Y"), .concern = CONCERN_PLATE, .usual = "50% 50%",
                     .help = "the place whose motion the time plots show",
-                    .concern = CONCERN_PLATE,
-                    .usual = "50% 50%",
-                    .columns = {PLACE("x", ROW_ALONG_X), PLACE("y", ROW_ALONG_Y)},
-                    .n_columns = 2},
+                    COLUMNS({VALUE("x", ROW_ALONG_X, "m")}, {VALUE("y", ROW_ALONG_Y, "m")})},
     [ROWS_BODIES] =
-        {.section = "bodies",
-         .one = "body",
-         .form =
-             "disc CX CY R | ring CX CY RI RO | block X0 Y0 X1 Y1, then [velocity VX VY] [spin W] [wave V]",
-         .fresh = "disc 50% 50% 0.1",
+        {KIND("bodies", "body",
+              "disc CX CY R | ring CX CY RI RO | block X0 Y0 X1 Y1, then [velocity VX VY] [spin W] [wave V]"),
+         .concern = CONCERN_BODIES, .fresh = "disc 50% 50% 0.1",
          .help = "an elastic body with its velocity and its spin about its centre, counterclockwise; wave: a "
                  "block's velocity V sin(pi (x - X0)/(X1 - X0)) along x",
-         .concern = CONCERN_BODIES,
          .plain_names = true,
-         .columns = {{.word = "shape", .value = ROW_SHAPE, .unit = ""},
-                     OF_SHAPES("cx", ROW_ALONG_X, DISC | RING),
-                     OF_SHAPES("cy", ROW_ALONG_Y, DISC | RING),
-                     OF_SHAPES("r", ROW_SIZE, DISC),
-                     OF_SHAPES("ri", ROW_SIZE, RING),
-                     OF_SHAPES("ro", ROW_SIZE, RING),
-                     OF_SHAPES("x0", ROW_ALONG_X, BLOCK),
-                     OF_SHAPES("y0", ROW_ALONG_Y, BLOCK),
-                     OF_SHAPES("x1", ROW_ALONG_X, BLOCK),
-                     OF_SHAPES("y1", ROW_ALONG_Y, BLOCK),
-                     {.word = "vx", .value = ROW_NUMBER, .unit = "", .optional = true, .line = "velocity"},
-                     {.word = "vy", .value = ROW_NUMBER, .unit = "", .optional = true, .follows = true},
-                     OPTION("spin", ROW_NUMBER, "", 0),
-                     OPTION("wave", ROW_NUMBER, "", 0)},
-         .n_columns = 14},
+         COLUMNS({VALUE("shape", ROW_SHAPE, "")}, {VALUE("cx", ROW_ALONG_X, ""), .of = DISC | RING},
+                 {VALUE("cy", ROW_ALONG_Y, ""), .of = DISC | RING}, {VALUE("r", ROW_SIZE, ""), .of = DISC},
+                 {VALUE("ri", ROW_SIZE, ""), .of = RING}, {VALUE("ro", ROW_SIZE, ""), .of = RING},
+                 {VALUE("x0", ROW_ALONG_X, ""), .of = BLOCK}, {VALUE("y0", ROW_ALONG_Y, ""), .of = BLOCK},
+                 {VALUE("x1", ROW_ALONG_X, ""), .of = BLOCK}, {VALUE("y1", ROW_ALONG_Y, ""), .of = BLOCK},
+                 {OPTION("vx", ROW_NUMBER, ""), .line = "velocity"},
+                 {OPTION("vy", ROW_NUMBER, ""), .follows = true}, {OPTION("spin", ROW_NUMBER, "")},
+                 {OPTION("wave", ROW_NUMBER, "")})},
 };
