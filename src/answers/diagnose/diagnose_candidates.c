@@ -83,8 +83,7 @@ int diagnose_candidates(const Settings *right, DiagnoseListed what, Candidate ou
         for (int i = 0; i < n_parameters; i++) {
             const Parameter *parameter = &parameters[i];
             const bool choice = parameter->type == PARAMETER_CHOICE || parameter->type == PARAMETER_FLAG;
-            const int now = (int)settings_number(right, parameter),
-                      choices = parameter_in(parameter, right->problem).n_choices;
+            const int choices = parameter_in(parameter, right->problem).n_choices;
             if (group != (parameter->wrong ? WRONG
                           : choice         ? CHOICES
                                            : NUMBERS) ||
@@ -93,7 +92,7 @@ int diagnose_candidates(const Settings *right, DiagnoseListed what, Candidate ou
             if (group == NUMBERS && parameter->nudge != NUDGE_NONE)
                 add_values(out, &count, right, parameter);
             for (int k = 0; k < choices && group != NUMBERS && what != PAIRS_OF_MISTAKES; k++)
-                if (k != now)
+                if (k != settings_number(right, parameter))
                     add(out, &count, parameter, k, 0);
             for (int k = 1; k < choices && what == PAIRS_OF_MISTAKES; k++)
                 for (int beside = 1; beside < k; beside++)
