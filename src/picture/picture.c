@@ -191,12 +191,6 @@ void picture_thing(Picture *picture, double x, double y, uint32_t glyph, Style s
     picture_add_mark(picture, (PictureMark){x, y, glyph, style, .is_target = true, .thing = thing});
 }
 
-bool picture_has_points(const Picture *picture, size_t count)
-{
-    const int places = picture->dots / 4 > picture->across ? picture->dots / 4 : picture->across;
-    return 2 * count <= (size_t)places;
-}
-
 void picture_rule(Picture *picture, double x, Style style, const char *word)
 {
     picture_add_mark(picture, (PictureMark){.x = x, .style = style, .kind = MARK_RULE, .word = word});

@@ -384,7 +384,6 @@ void picture_mark(Picture *, double x, double y, uint32_t glyph, Style);
 void picture_thing(Picture *, double x, double y, uint32_t glyph, Style,
                    PictureThing); /* for the mouse too */
 void picture_add_mark(Picture *, PictureMark);
-bool picture_has_points(const Picture *, size_t count); /* whether so many on a curve are seen one by one */
 void picture_rule(Picture *, double x, Style, const char *word);
 /* Straight, from place to place. */
 void picture_line(Picture *, double x0, double y0, double x1, double y1, Pen);

@@ -142,7 +142,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     if (!open_map(&map, screen, shown(screen, variant), picture))
         return;
-    picture_heading(picture, "%s", map_meaning(&map));
+    const Colouring *by = map.colouring;
+    picture_heading(picture, "%s", map.scene.slender || !by->flat ? by->meaning : by->flat);
     map_add_bonds(&map);
     map_add_box(&map);
     if (shown(screen, variant) == MAP_SPEED)

@@ -236,7 +236,8 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         /* Particles that lie well apart are seen one by one. */
         const Profile *profile = curves[k].profile;
         const ShownRun *run = curves[k].run;
-        const bool apart = run->experiment && picture_has_points(picture, profile->count);
+        const int places = picture->dots / 4 > picture->across ? picture->dots / 4 : picture->across;
+        const bool apart = run->experiment && 2 * profile->count <= (size_t)places;
         for (size_t i = 0; i < profile->count && apart; i++)
             picture_add_mark(picture, (PictureMark){profile->x[i], curves[k].values[i],
                                                     run->line == LINE_DASHED ? 0x25cb : 0x25cf, run->style,

@@ -13,12 +13,6 @@
 
 enum { MARKS_MAX = 12, PEAKS_MAX = 4, PERIODS_LEAST = 2 };
 
-/* What a variant shows. */
-typedef struct Choice {
-    int column;
-    bool fast; /* all frequencies of the mesh, logarithmic; else those around the line */
-} Choice;
-
 /* A line that should be there, in radians per unit time. */
 typedef struct Mark {
     double frequency;
@@ -33,15 +27,16 @@ typedef struct Scale {
 
 /* --- what is asked for ---------------------------------------------------------------------------- */
 
-static Choice choice_of(const Screen *screen, int variant)
+/* The column of a variant; `fast`: all frequencies of the mesh, logarithmic; else those around the line. A
+ * beam oscillates a few times only in a run: what it does at once is its thickness modes. */
+static int column_of(const Screen *screen, int variant, bool *fast)
 {
-    if (!screen_problem(screen)->si) {
-        const Readout *readout = experiment_readout(screen->experiment);
-        const int column = experiment_column(screen->experiment, readout->moving ? readout->column : "v_cm");
-        return (Choice){column, variant % 2 == 1};
-    }
-    /* a beam oscillates a few times only in a run: what it does at once is its thickness modes */
-    return (Choice){experiment_column(screen->experiment, variant < 2 ? "v_probe" : "u_probe"), variant == 0};
+    const Readout *readout = experiment_readout(screen->experiment);
+    const bool si = screen_problem(screen)->si;
+    *fast = si ? variant == 0 : variant % 2 == 1;
+    return experiment_column(screen->experiment, si                ? (variant < 2 ? "v_probe" : "u_probe")
+                                                 : readout->moving ? readout->column
+                                                                   : "v_cm");
 }
 
 static const char *word_of(const Screen *screen, int variant)
@@ -192,7 +187,7 @@ static int peaks_of(const Scale *scale, bool fast, double peaks[PEAKS_MAX])
 }
 
 /* Says why there is no picture yet; false: there is one. */
-static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice choice, const Mark *marks,
+static bool wants_time(const Screen *screen, const Spectrum *spectrum, bool fast, const Mark *marks,
                        int n_marks, Picture *picture, const char *name)
 {
     const double needed = n_marks > 0 ? PERIODS_LEAST * 2 * M_PI / marks[0].frequency : INFINITY;
@@ -201,7 +196,7 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, Choice ch
         picture_say(picture, name, "Nothing vibrates here: there is no line to look for.");
     else if (!spectrum)
         picture_say(picture, name, "needs more time: %d rows at least", SPECTRUM_ROWS_MIN);
-    else if (choice.fast || spectrum->to >= needed)
+    else if (fast || spectrum->to >= needed)
         return false;
     else if (n_marks == 0)
         picture_say(picture, name, "needs more time: no period is known yet");
@@ -265,28 +260,28 @@ static void note_peaks(const Screen *screen, Picture *picture, const Scale *scal
 
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
-    Choice choice = choice_of(screen, variant);
+    bool fast;
     int n;
+    const int column = column_of(screen, variant, &fast);
     const Column *columns = experiment_columns(screen->experiment, &n);
-    if (choice.column < 0) {
+    if (column < 0) {
         picture_heading(picture, "spectrum");
         return;
     }
-    const Quantity *quantity = &columns[choice.column].quantity;
+    const Quantity *quantity = &columns[column].quantity;
     const bool si = screen_problem(screen)->si;
     Mark marks[MARKS_MAX];
-    const int n_marks = marks_of(screen, choice.fast, marks);
+    const int n_marks = marks_of(screen, fast, marks);
     /* what breaks has no line of its own: all that the mesh does is shown */
-    choice.fast |= si && !experiment_readout(screen->experiment)->moving;
-    const SpectrumSpan span = choice.fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
+    fast |= si && !experiment_readout(screen->experiment)->moving;
+    const SpectrumSpan span = fast ? SPECTRUM_FAST : SPECTRUM_SLOW;
     Scale scale = {.unit = !si ? 1 : 2e3 * M_PI};
-    scale.spectrum = experiment_spectrum(screen->experiment, choice.column, span);
+    scale.spectrum = experiment_spectrum(screen->experiment, column, span);
     char name[64];
     snprintf(name, sizeof name, "spectrum of %s", quantity->label);
-    if (wants_time(screen, scale.spectrum, choice, marks, n_marks, picture, name))
+    if (wants_time(screen, scale.spectrum, fast, marks, n_marks, picture, name))
         return;
-    const double range =
-        choice.fast ? highest_of(screen) : slow_range(screen, scale.spectrum, marks, n_marks);
+    const double range = fast ? highest_of(screen) : slow_range(screen, scale.spectrum, marks, n_marks);
     scale.end = axis_round_up(range / scale.unit);
     ShownRun runs[RUNS_MAX];
     Scale of_run[RUNS_MAX];
@@ -304,9 +299,9 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             largest = fmax(largest, largest_of(&of_run[i]));
     }
     picture_axes(picture, axis_make(0, scale.end), !si ? "ω" : "f, kHz", "",
-                 choice.fast ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02)
-                             : axis_make(0, axis_round_up(1.02 * largest)),
-                 name, !choice.fast || si ? quantity->unit : "");
+                 fast ? axis_make_log(fmax(largest, 1e-290) * 1e-3, fmax(largest, 1e-286) * 1.02)
+                      : axis_make(0, axis_round_up(1.02 * largest)),
+                 name, !fast || si ? quantity->unit : "");
     for (int i = n_runs - 1; i >= 0; i--) /* the present run first */
         if (runs[i].experiment && runs[i].shown)
             picture_key(picture, runs_key(&runs[i]));
@@ -326,7 +321,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
             runs_letter(picture, &runs[i], x, y, MARK_PLACE);
         }
     }
-    note_peaks(screen, picture, &scale, choice.fast);
+    note_peaks(screen, picture, &scale, fast);
 }
 
 const View view_spectrum = {

@@ -152,25 +152,6 @@ static void add_amounts(const Bar *bar, const char *field, const char *name, sig
         picture_key(bar->strip->picture, (PictureKey){.style = style, .name = name});
 }
 
-/* The ends of the particles' domains, where these have a length of their own: it is drawn enlarged as places
- * are, a change of length k times as large. Where they would stand too close to be distinguished, those of
- * the chosen particle alone, and none where there are no dots finer than a column. True: those of all. */
-static bool add_domains(const Bar *bar)
-{
-    const Strip *strip = bar->strip;
-    const int stretch = simulation_find_field(strip->sim, 0, "stretch");
-    const double gap = strip->sim->spacing;
-    const bool dots = strip->picture->dots > strip->picture->across;
-    const bool all = gap / bar->spacing * strip->row.per >= (dots ? 1.25 : 2);
-    for (size_t i = 0; i < strip->count && stretch >= 0; i++) {
-        const double half = gap / 2 * (1 + strip->k * (simulation_value(strip->sim, stretch, i) - 1));
-        for (int side = -1; side <= 1 && (all || (dots && i == strip->chosen)); side += 2)
-            put(strip, column_of(bar, bar->x0[i] + strip->k * strip->u[i] + side * half), strip->last,
-                (PictureMark){.glyph = '|', .style = STYLE_FRAME, .kind = MARK_FINE});
-    }
-    return stretch >= 0 && all;
-}
-
 /* The chosen particle, its nodes, and what passes between them. */
 static void add_links(const Bar *bar, Flow flow)
 {
@@ -232,7 +213,20 @@ static void describe_bar(Strip *strip, const double *x0)
         add_amounts(&bar, "mass", "mass", 0, put_back, STYLE_SECOND);
         add_amounts(&bar, "momentum", "|momentum|", 1, put_back, STYLE_PREDICTED);
     }
-    if (add_domains(&bar) && strip->picture->heading[0])
+    /* The ends of the particles' domains, where these have a length of their own: it is drawn enlarged as
+     * places are, a change of length k times as large. Where they would stand too close to be distinguished,
+     * those of the chosen particle alone, and none where there are no dots finer than a column. */
+    const int stretch = simulation_find_field(sim, 0, "stretch");
+    const double gap = sim->spacing;
+    const bool dots = strip->picture->dots > strip->picture->across;
+    const bool all = gap / bar.spacing * strip->row.per >= (dots ? 1.25 : 2);
+    for (size_t i = 0; i < strip->count && stretch >= 0; i++) {
+        const double half = gap / 2 * (1 + strip->k * (simulation_value(sim, stretch, i) - 1));
+        for (int side = -1; side <= 1 && (all || (dots && i == strip->chosen)); side += 2)
+            put(strip, column_of(&bar, x0[i] + strip->k * strip->u[i] + side * half), strip->last,
+                (PictureMark){.glyph = '|', .style = STYLE_FRAME, .kind = MARK_FINE});
+    }
+    if (stretch >= 0 && all && strip->picture->heading[0])
         picture_heading(strip->picture, "the bar: its grid, and its particles in their domains");
     for (size_t i = 0; i < strip->count; i++)
         put(strip, particle_column(&bar, i), strip->last,

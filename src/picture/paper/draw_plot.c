@@ -452,32 +452,30 @@ static void draw_head(const Frame *frame, const PictureArrow *arrow)
 
 /* --- the whole --------------------------------------------------------------------------------------- */
 
-/* What stands around the box of the curves. */
-typedef struct Margins {
-    double left, right, above, below;
-} Margins;
-
-static Margins margins_of(const Picture *picture)
+/* The box of the curves within one that has their axes too. */
+static Box inner_box(const Picture *picture, Box box)
 {
     double ticks[TICKS_MAX], widest = 0;
     if (picture->bare)
-        return (Margins){0, 0, 0, 0};
+        return box;
     const int count = axis_ticks(&picture->plot.y, ticks);
     for (int i = 0; i < count; i++) {
         char text[64];
         tick_label(&picture->plot.y, ticks[i], text, sizeof text);
         widest = fmax(widest, draw_words_width(text, &(Type){.size = SIZE_TICKS}));
     }
-    return (Margins){SIZE_WORDS + 5 + widest + GAP + TICK, 12, 4, TICK + SIZE_TICKS + 14};
+    const double left = SIZE_WORDS + 5 + widest + GAP + TICK, right = 12, above = 4,
+                 below = TICK + SIZE_TICKS + 14;
+    return (Box){box.x + left, box.y + above, box.width - left - right, box.height - above - below};
 }
 
 double draw_plot_height(const Picture *picture, double width)
 {
     if (picture->stretch <= 0)
         return 0;
-    const Margins margins = margins_of(picture);
-    const double scale = (width - margins.left - margins.right) / range_of(&picture->plot.x);
-    return margins.above + scale * picture->stretch * range_of(&picture->plot.y) + margins.below;
+    const Box inner = inner_box(picture, (Box){0, 0, width, 0}); /* its height is missing: below 0 */
+    return inner.width / range_of(&picture->plot.x) * picture->stretch * range_of(&picture->plot.y) -
+           inner.height;
 }
 
 static void draw_body(const Frame *frame)
@@ -501,11 +499,7 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
         draw_tables(paper, picture, box);
         return;
     }
-    const Margins margins = margins_of(picture);
-    Frame frame = {paper,
-                   picture,
-                   {box.x + margins.left, box.y + margins.above, box.width - margins.left - margins.right,
-                    box.height - margins.above - margins.below}};
+    Frame frame = {paper, picture, inner_box(picture, box)};
     if (frame.box.width < 20 || frame.box.height < 10)
         return;
     const bool of_body = picture->stretch > 0; /* its marks are signs */

@@ -419,7 +419,8 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
                  height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
     const Format format = format_of(name);
     if (format == FORMAT_TEX || format == FORMAT_GP) {
-        figure_write_source(figure, format == FORMAT_TEX, columns_of(figure), file.stream);
+        (format == FORMAT_TEX ? figure_write_tex : figure_write_gnuplot)(file.stream, figure,
+                                                                         columns_of(figure));
         return output_end(&file, true, status);
     }
     Paper *paper = format == FORMAT_SVG   ? paper_svg(file.stream, width, height, figure->title, status)

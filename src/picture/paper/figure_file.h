@@ -58,8 +58,8 @@ bool figure_suits(const Figure *, const char *file, Status *);
 /* Draws the page, whole or not at all. Maps of one field share the range of their colours. */
 bool figure_write(Figure *, Asker, const char *file, bool force, Status *);
 
-/* plot_source.c: the panels in so many columns as a file to \input in LaTeX (`tex`), or a script of gnuplot.
- */
-void figure_write_source(const Figure *, bool tex, int columns, FILE *);
+/* plot_source.c: the panels in so many columns as a file to \input in LaTeX, or a script of gnuplot. */
+void figure_write_tex(FILE *, const Figure *, int columns);
+void figure_write_gnuplot(FILE *, const Figure *, int columns);
 
 #endif

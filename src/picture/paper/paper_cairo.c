@@ -191,25 +191,6 @@ Paper *paper_png(FILE *stream, double width, double height, Status *status)
     return paper;
 }
 
-#else
-
-Paper *paper_pdf(FILE *stream, double width, double height, const char *title, Status *status)
-{
-    (void)title;
-    return paper_png(stream, width, height, status);
-}
-
-Paper *paper_png(FILE *stream, double width, double height, Status *status)
-{
-    (void)stream, (void)width, (void)height;
-    cairo_load(status);
-    return NULL;
-}
-
-#endif
-
-#ifdef HAVE_CAIRO
-
 CairoCalls cairo_calls;
 
 bool cairo_load(Status *status)
@@ -231,6 +212,19 @@ bool cairo_load(Status *status)
 }
 
 #else
+
+Paper *paper_pdf(FILE *stream, double width, double height, const char *title, Status *status)
+{
+    (void)title;
+    return paper_png(stream, width, height, status);
+}
+
+Paper *paper_png(FILE *stream, double width, double height, Status *status)
+{
+    (void)stream, (void)width, (void)height;
+    cairo_load(status);
+    return NULL;
+}
 
 bool cairo_load(Status *status)
 {

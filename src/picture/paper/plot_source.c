@@ -167,7 +167,7 @@ static void tex_mark(FILE *out, const Picture *picture, const PictureMark *mark)
     fputs(";\n", out);
 }
 
-static void write_tex(FILE *out, const Figure *figure, int columns)
+void figure_write_tex(FILE *out, const Figure *figure, int columns)
 {
     fprintf(out, "%% matvib " PACKAGE_VERSION "\n%% %s\n%% %s\n", figure->title, figure->parameters);
     fputs("% \\input it; the preamble needs \\usepackage{pgfplots}, \\pgfplotsset{compat=1.16} and\n"
@@ -226,24 +226,6 @@ static void gnuplot_words(FILE *out, const char *text)
     fputc('\'', out);
 }
 
-static void gnuplot_axis(FILE *out, const Picture *picture, int which)
-{
-    const Axis *axis = which ? &picture->plot.y : &picture->plot.x;
-    const char letter = which ? 'y' : 'x';
-    char text[TICK_TEXT_MAX];
-    double ticks[TICKS_MAX];
-    fprintf(out, "%sset logscale %c\nset %clabel ", axis->scale == SCALE_LOG ? "" : "un", letter, letter);
-    gnuplot_words(out, which ? picture->heading : picture->x_name);
-    fprintf(out, "\nset %crange [%.9g:%.9g]\nset %ctics ", letter, place_on(axis, axis->low),
-            place_on(axis, axis->high), letter);
-    const int count = axis->scale == SCALE_ROOT ? axis_ticks(axis, ticks) : 0;
-    fputs(count > 0 ? "(" : "autofreq\n", out);
-    for (int i = 0; i < count; i++) {
-        axis_label(axis, ticks[i], text);
-        fprintf(out, "'%s' %.9g%s", text, place_on(axis, ticks[i]), i + 1 < count ? ", " : ")\n");
-    }
-}
-
 static void gnuplot_mark(FILE *out, const Picture *picture, const PictureMark *mark)
 {
     const double x = place_on(&picture->plot.x, mark->x), y = place_on(&picture->plot.y, mark->y);
@@ -300,7 +282,7 @@ static void gnuplot_plot(FILE *out, const Picture *picture, int panel, bool bare
     fputs("NaN notitle\n", out);
 }
 
-static void write_gnuplot(FILE *out, const Figure *figure, int columns)
+void figure_write_gnuplot(FILE *out, const Figure *figure, int columns)
 {
     fprintf(out,
             "# matvib " PACKAGE_VERSION
@@ -332,16 +314,26 @@ static void write_gnuplot(FILE *out, const Figure *figure, int columns)
         fputs("unset label\nunset arrow\nset title ", out);
         gnuplot_words(out, figure->bare ? "" : figure->panels[panel]->caption);
         fputc('\n', out);
-        for (int axis = 0; axis < 2; axis++)
-            gnuplot_axis(out, picture, axis);
+        for (int which = 0; which < 2; which++) {
+            const Axis *axis = which ? &picture->plot.y : &picture->plot.x;
+            const char letter = which ? 'y' : 'x';
+            char text[TICK_TEXT_MAX];
+            double ticks[TICKS_MAX];
+            fprintf(out, "%sset logscale %c\nset %clabel ", axis->scale == SCALE_LOG ? "" : "un", letter,
+                    letter);
+            gnuplot_words(out, which ? picture->heading : picture->x_name);
+            fprintf(out, "\nset %crange [%.9g:%.9g]\nset %ctics ", letter, place_on(axis, axis->low),
+                    place_on(axis, axis->high), letter);
+            const int count = axis->scale == SCALE_ROOT ? axis_ticks(axis, ticks) : 0;
+            fputs(count > 0 ? "(" : "autofreq\n", out);
+            for (int i = 0; i < count; i++) {
+                axis_label(axis, ticks[i], text);
+                fprintf(out, "'%s' %.9g%s", text, place_on(axis, ticks[i]), i + 1 < count ? ", " : ")\n");
+            }
+        }
         for (size_t i = 0; i < picture->n_marks; i++)
             gnuplot_mark(out, picture, &picture->marks[i]);
         gnuplot_plot(out, picture, panel, figure->bare);
     }
     fputs(figure->count > 1 ? "unset multiplot\n" : "", out);
-}
-
-void figure_write_source(const Figure *figure, bool tex, int columns, FILE *out)
-{
-    (tex ? write_tex : write_gnuplot)(out, figure, columns);
 }

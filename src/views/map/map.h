@@ -83,7 +83,6 @@ MapVariant map_variant(const Simulation *, int number);
 
 /* Fills values and range of the colours, whose ends are round. False: the nodes have no such field. */
 bool map_colour(Map *, MapVariant);
-const char *map_meaning(const Map *); /* what the colours stand for, in words */
 
 /* Lattice and where its nodes are drawn in a picture that is open. False: this is not a beam, there is no
  * room for it, or no memory. map_close() in any case. */

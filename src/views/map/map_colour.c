@@ -41,12 +41,6 @@ static bool is_there(const Simulation *sim, int variant)
            (variant != MAP_DRAWING && simulation_find_field(sim, 0, colourings[variant].field) >= 0);
 }
 
-const char *map_meaning(const Map *map)
-{
-    const Colouring *colouring = map->colouring;
-    return map->scene.slender || !colouring->flat ? colouring->meaning : colouring->flat;
-}
-
 MapVariant map_variant(const Simulation *sim, int number)
 {
     int variant = 0;

@@ -57,31 +57,6 @@ static bool mesh_open(const Map *map, MeshNodes *mesh)
 
 /* --- under the particles ------------------------------------------------------------------------------ */
 
-/* The nodes with which the chosen particle exchanges. */
-static size_t chosen_links(const Map *map, Link links[LINKS_MAX])
-{
-    const size_t chosen = map->screen->chosen.particle;
-    if (chosen >= map->body.count || screen_is_running(map->screen))
-        return 0;
-    return map->sim->method->links(map->sim, 0, chosen, links, LINKS_MAX);
-}
-
-static void add_arrows(Map *map, const MeshNodes *mesh)
-{
-    Link links[LINKS_MAX];
-    const size_t count = chosen_links(map, links), chosen = map->screen->chosen.particle;
-    if (mesh->flow != FLOW_TO_NODES && mesh->flow != FLOW_TO_PARTICLES)
-        return;
-    const int gives = mesh->flow == FLOW_TO_NODES;
-    for (size_t i = 0; i < count; i++) {
-        PictureArrow arrow = {.style = STYLE_CHANGED};
-        double *ends[2] = {arrow.from, arrow.to};
-        ends[!gives][0] = map->drawn->x[chosen], ends[!gives][1] = map->drawn->y[chosen];
-        ends[gives][0] = mesh->x[links[i].index], ends[gives][1] = mesh->y[links[i].index];
-        picture_arrow(map->picture, &arrow);
-    }
-}
-
 /* --- the chosen particle's stress --------------------------------------------------------------------- */
 
 /* By Mohr's circle: its middle is the mean stress, its radius
@@ -192,7 +167,19 @@ void map_add_mesh(Map *map)
                 if (next[d] < mesh.count && !(d == 0 && next[d] % mesh.across == 0))
                     picture_trace(map->picture, from, (double[]){mesh.x[next[d]], mesh.y[next[d]]}, &pen);
         }
-        add_arrows(map, &mesh);
+        /* The nodes with which the chosen particle exchanges. */
+        Link links[LINKS_MAX];
+        const size_t chosen = map->screen->chosen.particle;
+        const bool is_seen = chosen < map->body.count && !screen_is_running(map->screen);
+        const size_t count = is_seen ? map->sim->method->links(map->sim, 0, chosen, links, LINKS_MAX) : 0;
+        const int gives = mesh.flow == FLOW_TO_NODES;
+        for (size_t i = 0; i < count && (gives || mesh.flow == FLOW_TO_PARTICLES); i++) {
+            PictureArrow arrow = {.style = STYLE_CHANGED};
+            double *ends[2] = {arrow.from, arrow.to};
+            ends[!gives][0] = map->drawn->x[chosen], ends[!gives][1] = map->drawn->y[chosen];
+            ends[gives][0] = mesh.x[links[i].index], ends[gives][1] = mesh.y[links[i].index];
+            picture_arrow(map->picture, &arrow);
+        }
         add_cross(map);
         /* of a body that only moves on no rounding is drawn */
         const double heaviest = largest(mesh.mass, mesh.count);
@@ -209,11 +196,9 @@ void map_add_mesh(Map *map)
             add_bar(map, &mesh, (PictureMark){.x = x, .y = y, .style = STYLE_PREDICTED, .side = {2, 0}},
                     mesh.momentum[node], fastest);
         }
-        Link links[LINKS_MAX];
-        const size_t count = chosen_links(map, links);
         for (size_t i = 0; i < count; i++)
             picture_mark(map->picture, mesh.x[links[i].index], mesh.y[links[i].index], 0x25c6,
-                         mesh.flow == FLOW_TO_NODES ? STYLE_CHANGED : STYLE_SECOND);
+                         gives ? STYLE_CHANGED : STYLE_SECOND);
     }
     free(mesh.x);
 }

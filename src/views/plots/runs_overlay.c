@@ -155,10 +155,9 @@ void runs_letter_over_time(Picture *picture, const ShownRun *run, int column)
 
 void runs_add_letters(Picture *picture, const ShownRun *runs, int n_runs, const char *column)
 {
-    for (int i = 0; i < n_runs; i++) {
+    for (int i = 0; i < n_runs; i++)
         if (runs[i].shown)
             runs_letter_over_time(picture, &runs[i], runs_column(&runs[i], column));
-    }
 }
 
 void runs_add_keys(Picture *picture, const ShownRun *runs, int n_runs)
