@@ -38,8 +38,10 @@ static const char *const flags[] = {"no", "yes", NULL};
 /* Enum members are read and written as int. */
 _Static_assert(sizeof(MpmAlgorithm) == sizeof(int) && sizeof(Clamp) == sizeof(int), "enums are ints");
 
-#define AT(member)   .offset = VALUE_OFFSET(member)
-#define TEXT(member) .type = PARAMETER_TEXT, AT(member), .size = sizeof(((SettingsValues *)NULL)->member)
+#define IN_CELLS        (CONCERN_MESH | CONCERN_PLANE | CONCERN_BODIES)
+#define AT(member)      .offset = VALUE_OFFSET(member)
+#define REAL_AT(member) .type = PARAMETER_REAL, AT(member)
+#define TEXT(member)    .type = PARAMETER_TEXT, AT(member), .size = sizeof(((SettingsValues *)NULL)->member)
 #define SAID(member)                                                                                         \
     NULL, "", "", .type = PARAMETER_TEXT, .offset = offsetof(Settings, member),                              \
                   .size = sizeof(((Settings *)NULL)->member)
