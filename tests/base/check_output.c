@@ -123,6 +123,7 @@ START_TEST(who_asks_decides)
         ck_assert_int_eq(write_file(asker, in_folder("old"), true), may);
         expect_text(in_folder("old"), may ? "new" : "step,time");
         ck_assert_int_eq(output_open(&file, asker, "-", true, &status), may);
+        output_close(&file);
         ck_assert_int_eq(output_open_own(&file, asker, in_folder("own"), &status), may);
         output_close(&file);
         output_make_own_folders(asker, in_folder("state/matvib/file"));
