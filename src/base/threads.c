@@ -9,31 +9,25 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* A mask that is shorter than the kernel's is refused, so it grows until it fits. 0: not known. */
-static int count_mask(void)
+int threads_allowed(void)
 {
 #ifdef HAVE_SCHED_GETAFFINITY
+    /* a mask that is shorter than the kernel's is refused, so it grows until it fits */
     for (size_t processors = CPU_SETSIZE; processors <= 1 << 20; processors *= 2) {
         cpu_set_t *set = CPU_ALLOC(processors);
         const size_t size = CPU_ALLOC_SIZE(processors);
         if (!set)
-            return 0;
+            break;
         const int result = sched_getaffinity(0, size, set);
         const bool too_short = result != 0 && errno == EINVAL;
         const int count = result == 0 ? CPU_COUNT_S(size, set) : 0;
         CPU_FREE(set);
-        if (!too_short)
+        if (count > 0)
             return count;
+        if (!too_short)
+            break;
     }
 #endif
-    return 0;
-}
-
-int threads_allowed(void)
-{
-    const int masked = count_mask();
-    if (masked > 0)
-        return masked;
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     return processors > 0 && processors <= INT_MAX ? (int)processors : 1;
 }

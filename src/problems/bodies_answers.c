@@ -311,19 +311,6 @@ ANSWER(exact_vx, motion(answers_of(refs), VX, time))
 ANSWER(exact_vy, motion(answers_of(refs), VY, time))
 ANSWER(exact_spin, motion(answers_of(refs), SPIN, time))
 
-static void plan_fall(References *refs, Answers *answers)
-{
-    static Answer *const of[] = {[X] = reference_x, [Y] = reference_y};
-    for (int k = X; k <= Y; k++) {
-        char column[BODY_NAME_MAX + 8];
-        snprintf(column, sizeof column, "%s.%s", answers->def.bodies[0].name, k == X ? "x" : "y");
-        snprintf(answers->names[k], sizeof answers->names[k], "%s_reference", column);
-        plan_answer(refs,
-                    &(Quantity){answers->names[k], "reference", "length", "of converged finite elements"},
-                    COLUMN_EXACT, column, of[k]);
-    }
-}
-
 static void plan_motion(References *refs, Answers *answers)
 {
     static const struct {
@@ -373,8 +360,14 @@ bool bodies_prepare(References *refs, const MpmDef *def, const Simulation *sim, 
     }
     if (def->n_bodies == 1 && (answers->slides || answers->free > 0))
         plan_motion(refs, answers);
-    if (answers->falls)
-        plan_fall(refs, answers);
+    for (int k = X; answers->falls && k <= Y; k++) {
+        char column[BODY_NAME_MAX + 8];
+        snprintf(column, sizeof column, "%s.%s", def->bodies[0].name, k == X ? "x" : "y");
+        snprintf(answers->names[k], sizeof answers->names[k], "%s_reference", column);
+        plan_answer(refs,
+                    &(Quantity){answers->names[k], "reference", "length", "of converged finite elements"},
+                    COLUMN_EXACT, column, k == X ? reference_x : reference_y);
+    }
     return true;
 }
 

@@ -26,10 +26,14 @@ static void add_advice(EventLog *log, const Settings *settings, long step, char 
         add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, advice);
 }
 
-static void add_changes(EventLog *log, const Settings *settings)
+/* What was known beforehand: advice, changes, and which references are left out, and because of which
+ * parameter. */
+static void begin(EventLog *log, const Settings *settings)
 {
-    char last[160] = "", text[KEY_MAX + VALUE_MAX + 8];
+    char last[160] = "", text[KEY_MAX + VALUE_MAX + 8], left_out[KNOWN_TEXT_MAX];
+    long step;
     Settings then;
+    *log = (EventLog){.begun = true, .newest = -1};
     changes_in_force(settings, -1, &then);
     add_advice(log, &then, 0, last);
     for (int i = 0; i < settings->n_changes; i++) {
@@ -39,6 +43,8 @@ static void add_changes(EventLog *log, const Settings *settings)
         changes_in_force(settings, change->step, &then);
         add_advice(log, &then, change->step, last);
     }
+    if (answers_known_text(settings, left_out, &step))
+        add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, left_out);
 }
 
 /* A drift is reported when it is beyond a level in two periods in a row: the sum of energies that are half a
@@ -136,28 +142,10 @@ static void add_lags(EventLog *log, const Experiment *experiment)
     }
 }
 
-static void sort(Event *events, int count)
-{
-    for (int i = 1; i < count; i++) { /* mostly in order already, and equal ones keep theirs */
-        const Event event = events[i];
-        int at = i;
-        for (; at > 0 && events[at - 1].step > event.step; at--)
-            events[at] = events[at - 1];
-        events[at] = event;
-    }
-}
-
 void event_log_update(EventLog *log, const Experiment *experiment, const Readout *readout)
 {
-    if (!log->begun) {
-        *log = (EventLog){.begun = true, .newest = -1};
-        add_changes(log, &experiment->base);
-        /* Which references are left out, and because of which parameter. */
-        char text[KNOWN_TEXT_MAX];
-        long step;
-        if (answers_known_text(&experiment->base, text, &step))
-            add(log->planned, &log->n_planned, EVENT_LOG_PLANNED_MAX, step, EVENT_ADVICE, text);
-    }
+    if (!log->begun)
+        begin(log, &experiment->base);
     const double late = lag_per_time(readout);
     if (log->newest == experiment->newest && log->failed == experiment->run.failed &&
         log->n_reported == experiment->n_events && !(log->late < late) && !(log->late > late))
@@ -182,7 +170,13 @@ void event_log_update(EventLog *log, const Experiment *experiment, const Readout
     for (int i = 0; i < log->energy.n_events; i++)
         log->events[log->count++] = log->energy.events[i];
     add_lags(log, experiment);
-    sort(log->events, log->count);
+    for (int i = 1; i < log->count; i++) { /* mostly in order already, and equal ones keep theirs */
+        const Event event = log->events[i];
+        int at = i;
+        for (; at > 0 && log->events[at - 1].step > event.step; at--)
+            log->events[at] = log->events[at - 1];
+        log->events[at] = event;
+    }
     if (experiment->run.failed)
         add(log->events, &log->count, EVENT_LOG_MAX, experiment->newest, EVENT_FAILURE,
             experiment->run.failure.text);

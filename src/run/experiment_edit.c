@@ -290,7 +290,7 @@ static void look(Simulation *sim, void *context)
 bool experiment_invariant(const Experiment *experiment, double *now, double *start)
 {
     Simulation *sim = experiment->run.sim;
-    Invariant *known = &experiment->worked->invariant;
+    Worked *worked = experiment->worked;
     if (!references_have_invariant(&experiment->now) || !references_have_invariant(&experiment->base))
         return false;
     if (sim->counts[0] > PAUSED_MAX)
@@ -298,18 +298,19 @@ bool experiment_invariant(const Experiment *experiment, double *now, double *sta
     const bool busy = experiment->flowing && sim->counts[0] > RUNNING_MAX;
     /* for want of memory it is asked for again */
     const int before = shortage_begin();
-    if (!known->any) {
-        *known = (Invariant){.step = -1, .start = NAN};
+    if (!worked->invariant.any) {
+        worked->invariant.step = -1;
+        worked->invariant.start = NAN;
         simulation_visit(sim, history_nearest(&experiment->history, 0)->bytes, look, (void *)experiment);
-        known->any = errno != ENOMEM;
+        worked->invariant.any = errno != ENOMEM;
     }
-    if (known->step != sim->step && sim->stage == 0 && sim->item == 0 && !busy && !sim->failed) {
-        known->now = references_invariant(sim, &experiment->now);
-        known->step = errno != ENOMEM ? sim->step : -1;
+    if (worked->invariant.step != sim->step && sim->stage == 0 && sim->item == 0 && !busy && !sim->failed) {
+        worked->invariant.now = references_invariant(sim, &experiment->now);
+        worked->invariant.step = errno != ENOMEM ? sim->step : -1;
     }
     shortage_end(before);
-    *now = known->now;
-    *start = known->start;
+    *now = worked->invariant.now;
+    *start = worked->invariant.start;
     /* within a step: whether it was looked at before the step must not be seen */
-    return known->step == sim->step && sim->stage == 0 && isfinite(*now) && isfinite(*start);
+    return worked->invariant.step == sim->step && sim->stage == 0 && isfinite(*now) && isfinite(*start);
 }

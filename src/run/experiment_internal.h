@@ -14,13 +14,6 @@ typedef struct Kept {
     bool known;
 } Kept;
 
-/* What is known of E*: at t = 0, and at one step. */
-typedef struct Invariant {
-    bool any;
-    double start, now;
-    long step; /* that `now` belongs to; -1: none */
-} Invariant;
-
 /* What is worked out of a run when somebody looks, and kept until it changes: looking changes no run, so that
  * readers take a const Experiment. */
 typedef struct Worked {
@@ -29,7 +22,11 @@ typedef struct Worked {
     Readout readout;
     size_t readout_rows; /* how many rows it was worked out from */
     Spectrum spectra[SPECTRUM_SPANS];
-    Invariant invariant;
+    struct { /* what is known of E*: at t = 0, and at one step */
+        bool any;
+        double start, now;
+        long step; /* that `now` belongs to; -1: none */
+    } invariant;
     CrackFronts fronts;
     EventLog log;
     Derived derived[DERIVED_MAX];

@@ -389,22 +389,18 @@ static void try_changes(Simulation *sim, void *context)
     trial->good = changes_apply(trial->settings, sim, &trial->why);
 }
 
-/* Whether the method takes the changes of the present step, one after the other; nothing is changed by it. */
-static bool takes_changes(Experiment *experiment, Status *status)
-{
-    Trial trial = {.settings = &experiment->base};
-    if (!simulation_visit(experiment->run.sim, NULL, try_changes, &trial))
-        return out_of_memory(status);
-    return trial.good || status_take(status, &trial.why);
-}
-
 bool experiment_change(Experiment *experiment, long step, const Settings *changed, Status *status)
 {
     ASSERT_INT(step, >=, 0);
     Settings before = experiment->base;
     const bool here = experiment->run.sim->stage == 0 && experiment->run.sim->step == step;
     experiment->base = *changed;
-    if ((here && !takes_changes(experiment, status)) || !renew_references(experiment, step, status)) {
+    /* whether the method takes the changes of the present step, one after the other; nothing is changed by it
+     */
+    Trial trial = {.settings = &experiment->base, .good = !here};
+    if (here && !simulation_visit(experiment->run.sim, NULL, try_changes, &trial))
+        out_of_memory(&trial.why);
+    if (trial.good ? !renew_references(experiment, step, status) : !status_take(status, &trial.why)) {
         experiment->base = before;
         return false;
     }

@@ -240,22 +240,6 @@ static bool take_row(Reader *reader, Overlay *overlay, int cells)
     return true;
 }
 
-/* Names that are in the comment above the first row, where numpy writes them; any other comment is none. */
-static void take_comment(Reader *reader, Overlay *overlay)
-{
-    double value;
-    Status *status = reader->status;
-    strcpy(reader->text, reader->comment);
-    reader->status = NULL; /* what a comment says is never wrong */
-    const int cells = cut_cells(reader);
-    reader->status = status;
-    bool names = cells == overlay->n_columns;
-    for (int i = 0; i < cells && names; i++)
-        names = *reader->cells[i] && !number_of(reader, reader->cells[i], &value);
-    for (int i = 0; i < cells && names; i++)
-        visible_text(overlay->columns[i].name, OVERLAY_NAME_MAX, reader->cells[i]);
-}
-
 /* From the first line: how cells are separated, how many there are, their names or the first row. */
 static bool take_head(Reader *reader, Overlay *overlay)
 {
@@ -281,13 +265,21 @@ static bool take_head(Reader *reader, Overlay *overlay)
         overlay->columns[i].places = -POWER_MAX;
         names |= !number_of(reader, reader->cells[i], &value);
     }
+    if (!names) {
+        if (!take_row(reader, overlay, cells))
+            return false;
+        /* names may be in the comment above the first row, where numpy writes them; any other comment is none
+         */
+        Status *status = reader->status;
+        strcpy(reader->text, reader->comment);
+        reader->status = NULL; /* what a comment says is never wrong */
+        names = cut_cells(reader) == cells;
+        reader->status = status;
+        for (int i = 0; i < cells && names; i++)
+            names = *reader->cells[i] && !number_of(reader, reader->cells[i], &value);
+    }
     for (int i = 0; i < cells && names; i++)
         visible_text(overlay->columns[i].name, OVERLAY_NAME_MAX, reader->cells[i]);
-    if (names)
-        return true;
-    if (!take_row(reader, overlay, cells))
-        return false;
-    take_comment(reader, overlay);
     return true;
 }
 

@@ -203,23 +203,6 @@ static void take_row(const char *section, const char *name, const char *value, A
     take(context, key, value);
 }
 
-static void compare_rows(const Settings *from, const Settings *to, AssignmentTaker *take, void *context)
-{
-    RowDifference row;
-    for (int i = 0; settings_rows_difference(to, from, i, &row); i++) {
-        const RowKind *kind = &row_kinds[row.kind];
-        char text[ROW_TEXT_MAX] = "none", word[ROW_TEXT_MAX];
-        const char *rest = text;
-        if (row.in_a)
-            row_write(kind, row.in_a, 0, text);
-        if (!kind->usual)
-            take_row(kind->section, (row.in_a ? row.in_a : row.in_b)->name, text, take, context);
-        else
-            for (int k = 0; text_next_word(&rest, word, sizeof word); k++)
-                take_row(kind->section, kind->columns[k].word, word, take, context);
-    }
-}
-
 bool scenario_assignments(const char *name_or_path, const Settings *to, AssignmentTaker *take, void *context)
 {
     Settings from;
@@ -242,6 +225,18 @@ bool scenario_assignments(const char *name_or_path, const Settings *to, Assignme
         settings_get(to, parameter, value);
         take(context, parameter->key, value);
     }
-    compare_rows(&from, to, take, context);
+    RowDifference row;
+    for (int i = 0; settings_rows_difference(to, &from, i, &row); i++) {
+        const RowKind *kind = &row_kinds[row.kind];
+        char text[ROW_TEXT_MAX] = "none", word[ROW_TEXT_MAX];
+        const char *rest = text;
+        if (row.in_a)
+            row_write(kind, row.in_a, 0, text);
+        if (!kind->usual)
+            take_row(kind->section, (row.in_a ? row.in_a : row.in_b)->name, text, take, context);
+        else
+            for (int k = 0; text_next_word(&rest, word, sizeof word); k++)
+                take_row(kind->section, kind->columns[k].word, word, take, context);
+    }
     return true;
 }
