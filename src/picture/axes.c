@@ -314,8 +314,7 @@ static int even_ticks(Area area, const Axis *axis, bool up, int room, double tic
     }
     for (int stride = area.canvas->large && count > 3 ? 2 : 1; stride < count; stride++)
         for (int turn = 0; turn < stride; turn++) {
-            /* Cells are whole: where all are two apart or more one cell is rounding, but two beside one is
-             * another scale. */
+            /* Where all are two cells apart or more one is rounding, but two beside one is another scale. */
             const int first = (zero + turn) % stride;
             int n = 0, least = INT_MAX, most = 0;
             for (int i = first; i < count; i += stride, n++) {

@@ -23,15 +23,13 @@ typedef struct Axis {
     bool moves;       /* and its labels change their length with it */
 } Axis;
 
-/* At most so many ticks; at least 2 are aimed at. Axes are made with some, and the back end that draws one
- * finds those for its room. */
+/* At most so many ticks, 2 at least if they fit: who draws an axis finds those for its room. */
 Axis axis_with_ticks(Axis, int most);
 
 /* An axis from low to high. low < high, both finite; else 0 to 1. */
 Axis axis_make(double low, double high);
 
-/* An axis around zero that holds +-amplitude, rounded up generously so that it keeps still while a run goes
- * on. */
+/* An axis around zero that holds +-amplitude, rounded up so that it keeps still while a run goes on. */
 Axis axis_symmetric(double amplitude);
 
 /* An axis on which a value stands at the signed root of its distance from 0: what grows like a square is a
@@ -47,8 +45,7 @@ Axis axis_around(double low, double high);
 /* From 0 to a number of things, 1 at least: the ticks are whole. */
 Axis axis_count(double high);
 
-/* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below a positive value; 1
- * of any other. */
+/* The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten not below a positive value; else 1. */
 double axis_round_up(double value);
 
 /* The next of 1, 2, 5 times a power of ten that is not below (not above) a positive value. */
@@ -73,8 +70,7 @@ void axis_scale_text(const Axis *, const char *unit, char out[TICK_TEXT_MAX]);
 /* "v_cm x10^-3", "x, mm": a name with what axis_scale_text() says. */
 void axis_name(const char *name, const char *scale, char *out, size_t size);
 
-/* Where a value stands, in a measure that is even along the axis: the value itself, its root, its logarithm.
- */
+/* Where a value stands, in a measure that is even along the axis: the value, its root, its logarithm. */
 double axis_place(const Axis *, double value);
 
 /* The column and row of a value within `cells` cells; -1 if it is outside. */

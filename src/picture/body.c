@@ -105,8 +105,7 @@ void picture_lay_body(Picture *picture, const BodyRoom *room)
         map->keys_at = columns + 2;
         map->middle[0] += (width - columns - 1) / 2.0 / map->scale[0];
     }
-    /* What is seen: as much as on the screen; a body that is pressed fills the picture, but for its
-     * supports. */
+    /* What is seen: as much as on the screen; a pressed body fills the picture but for supports. */
     double low[2], high[2];
     for (int d = 0; d < 2; d++) {
         const double half = picture->body[d] / 2.0 / map->scale[d],

@@ -61,8 +61,7 @@ void canvas_put(Canvas *, int x, int y, uint32_t glyph, Style);
  * fit nothing is left. Returns the columns used. */
 int canvas_text(Canvas *, int x, int y, int width, const char *text, Style);
 
-/* The whole grid as UTF-8, one line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no
- * memory. */
+/* The grid as UTF-8, a line a row, trailing spaces cut; for tests and scripts. malloc'ed; NULL: no memory. */
 char *canvas_dump(const Canvas *);
 /* Likewise the styles, one letter per cell. */
 char *canvas_dump_styles(const Canvas *);
@@ -100,8 +99,7 @@ int area_text_whole(Area, int x, int y, int width, const char *text, Style);
 int area_paragraph(Area, int x, int y, int width, int rows, const char *text, Style);
 int area_paragraph_lines(int width, const char *text);
 
-/* Draws phrases that are separated by two spaces, each whole, on as many lines as it takes up to `rows`.
- * Returns the lines used. */
+/* Draws phrases separated by two spaces, each whole, on up to `rows` lines; returns the lines used. */
 int area_phrases(Area, int x, int y, int width, int rows, const char *text, Style);
 int area_rows_of_phrases(const char *text, int width); /* that it takes; INT_MAX: one has no room */
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Characters, UTF-8 in and out, with the cells of a terminal that each takes; and what things are drawn as in
- * every back end. */
+/* Characters, UTF-8 in and out, with the cells that each takes; and what things are drawn as. */
 #ifndef PICTURE_GLYPH_H
 #define PICTURE_GLYPH_H
 
@@ -37,8 +36,7 @@ uint32_t glyph_told(uint32_t glyph);
 /* The bit of a dot in a character of braille, 0x2800 and more: column 0 or 1, row 0 to 3 from above. */
 uint8_t glyph_dot(int x, int y);
 
-/* The head of an arrow that goes so many columns across and rows down; a row is as high as two columns are
- * wide. */
+/* The head of an arrow of so many columns and rows; a row is as high as two columns are wide. */
 uint32_t glyph_arrow(double across, double down);
 
 /* Cells that a text takes; characters that it has. */
@@ -54,8 +52,7 @@ void glyphs_plain(Glyphs, const char *text, char *out, size_t size);
 
 /* --- styles --------------------------------------------------------------------------------------- */
 
-/* What a cell or a stroke means; the theme gives it a colour and attributes. Never the only carrier of
- * meaning. */
+/* What a cell or a stroke means, which the theme colours; never the only carrier of meaning. */
 typedef enum Style {
     STYLE_NORMAL,
     STYLE_TITLE, /* title line and key line */

@@ -33,8 +33,7 @@ typedef enum PictureKind {
 /* What a strip is of. */
 typedef enum StripKind { STRIP_CELLS, STRIP_NODES, STRIP_BODY } StripKind;
 
-/* What stands for an entry of the legend, in place of a piece of its line: a mark, the letter of an earlier
- * run, or one of these. */
+/* In a legend's entry for a piece of its line: a mark, a run's letter, or one of these. */
 enum { SIGN_DOTS = 0x110000, SIGN_BAND };
 
 /* An entry of the legend. */
@@ -182,8 +181,7 @@ typedef struct PictureCell {
     Style style;
 } PictureCell;
 
-/* Rows of which one is chosen; each begins with its name, a number or a time, and stands for a thing or an
- * event. */
+/* Rows, one of them chosen; each begins with a name, number or time, and stands for a thing or an event. */
 typedef struct PictureList {
     int set;              /* whose things they are; -1: events */
     size_t count, chosen; /* of all rows */
@@ -336,8 +334,7 @@ int picture_map_step(const PictureMap *, double value, int steps);
 /* Whether a place is in sight, or no farther from it than so much, m. */
 bool picture_in_sight(const Picture *, double x, double y, double margin);
 
-/* A line over a body, drawn as `pen` says (its first members); one that goes on where the last one ended
- * goes on with its dashes. */
+/* A line over a body, as the first members of `pen` say; where the last one ended its dashes go on. */
 void picture_trace(Picture *, const double from[2], const double to[2], const Stroke *pen);
 
 /* A strip has room beside it for its keys or notes, of which the first is beside the first row, the
@@ -371,8 +368,7 @@ bool picture_lay_drawing(Picture *, DrawingRoom *);
 void picture_spread(Picture *, const double from[2], const double to[2], const double scale[2],
                     const PictureMark *);
 
-/* Room for a list of so many rows, of which those around the chosen one are to be described; NULL: no memory.
- */
+/* Room for a list of so many rows, of which those around the chosen one are described; NULL: no memory. */
 PictureList *picture_list(Picture *, int set, size_t count, size_t chosen, int n_columns);
 PictureCell *picture_cell(const PictureList *, int column, size_t row); /* of those described */
 

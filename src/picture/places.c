@@ -51,8 +51,7 @@ static void take(Places *places, double left, double top, double right, double b
 
 /* --- labels ----------------------------------------------------------------------------------------- */
 
-/* It ends at `most` at the latest, with a little air on both sides: two words beside each other are not one.
- */
+/* It ends at `most` at the latest, with air on both sides, so that two words stay two. */
 static bool write_beside(Places *places, const PictureLabel *label, double across, double top,
                          const char *line, double most)
 {

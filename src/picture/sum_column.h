@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Columns of numbers that add up as they are printed: a reader who adds the printed terms gets the printed
- * sum. */
+/* Columns of numbers that add up as they are printed: who adds the printed terms gets the printed sum. */
 #ifndef PICTURE_SUM_COLUMN_H
 #define PICTURE_SUM_COLUMN_H
 
@@ -31,8 +30,7 @@ typedef struct Format {
 Format format_of(const double *values, size_t n, int digits, int width);
 void format_number(double value, Format, char out[NUMBER_TEXT_MAX]);
 
-/* A number of the column; returns how many columns further left it ends, so that the points are under each
- * other. */
+/* A number of the column; returns how many columns further left it ends, so that points are aligned. */
 int sum_column_number(double value, Writing, int decimals, char out[64]);
 
 #endif

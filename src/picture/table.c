@@ -264,8 +264,7 @@ static void write_table(const Plan *plan, const Part *part, int y)
     const int titled = table->title[0] != '\0', labels = write_heads(plan, part, y + titled);
     char text[48];
     if (titled) {
-        /* What factors stand for stands before the labels or, where there is no room for all of it, behind a
-         * short title. */
+        /* The notes on factors stand before the labels or, without room, behind a short title. */
         const int notes = columns_of(part->sheet, table->notes);
         const bool before = plan->labelled && 1 + notes < labels;
         const bool whole = before && 1 + columns_of(part->sheet, table->title) <= part->columns;

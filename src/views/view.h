@@ -22,8 +22,7 @@ typedef enum ViewDuel {
     DUEL_APART     /* always each in its own, as far as there is room: else A alone */
 } ViewDuel;
 
-/* Whether it is in its pane when a run is opened that says nothing of views; of several the one that asks
- * for more. */
+/* Whether it is in its pane when a run says nothing of views; of several the one that asks for more. */
 typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewOpening;
 
 struct View {
@@ -157,8 +156,7 @@ bool view_map_small(const Screen *, Picture *);
 /* "640 m/s = 0.30 c_R, fastest 904 = 0.42": how fast a crack's tip is now. */
 void beam_lines_tip_speed(const Crack *, double rayleigh, char out[160]);
 
-/* Two notes that say what a beam's run is judged by; false: it is a bar, or comes to rest: its findings say
- * more. */
+/* Two notes of what a beam's run is judged by; false: a bar, or what comes to rest: findings say more. */
 bool beam_lines(const Screen *, char first[160], char second[160]);
 
 /* They are below other plots of the run too; `first` takes the place of the first one, "": nothing does. */

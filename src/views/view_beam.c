@@ -37,8 +37,7 @@ static bool shows_start(const Screen *screen, int variant)
 
 /* --- what is said of it ------------------------------------------------------------------------------ */
 
-/* How it is drawn, in the order in which the phrases are worth their room: of a piece seen from near that it
- * is magnified comes first. */
+/* How it is drawn, the phrases by what they are worth: seen from near first that it is magnified. */
 enum { FLOW, TIP, FIT, ENLARGED, MAGNIFIED, CROSS, STRETCHED, PARTS };
 static const int whole_order[PARTS] = {TIP, FIT, ENLARGED, MAGNIFIED, STRETCHED, FLOW, CROSS};
 static const int near_order[PARTS] = {FLOW, MAGNIFIED, CROSS, STRETCHED, ENLARGED, TIP, FIT};
@@ -48,8 +47,7 @@ static void note_how(const Map *map)
     const double magnified = map->screen->eye.magnified;
     const int *order = magnified > 1 ? near_order : whole_order;
     char text[PICTURE_TEXT_MAX] = "", parts[PARTS][64] = {""};
-    /* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the slope of the straight line that fits
-     * its whole path. */
+    /* "tip 66.5, 19.5 mm" and "fit 29°": where the crack is, and the straight line that fits its path. */
     CrackFacts facts;
     const size_t size = sizeof parts[0];
     if (crack_facts(map->sim, &facts)) {

@@ -68,8 +68,7 @@ typedef struct CellView {
 
 /* --- the terms of a stage ---------------------------------------------------------------------------- */
 
-/* Of one unit the stronger goes first; what cannot be compared is put by its formula, the longer one first.
- */
+/* Of one unit the stronger goes first; of what cannot be compared the one with the longer formula. */
 static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing *other)
 {
     const Simulation *sim = terms->sim;
@@ -382,8 +381,7 @@ static Style style_of_momenta(const CellView *view)
     return writes(view, "momentum") ? STYLE_PREDICTED : STYLE_FAINT;
 }
 
-/* A bar of so much of its band at the left of the node, from so many spacings on; its words are at the right.
- */
+/* A bar of so much of its band at the left of the node, from so many spacings on; words are at the right. */
 static void add_bar(const CellView *view, Picture *picture, double x, double from, double share,
                     PictureKey key)
 {

@@ -49,8 +49,7 @@ static NumberText number_of(double value)
 
 /* --- one bond --------------------------------------------------------------------------------------- */
 
-/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": the factors by name, with words where they fit, and
- * as a product. */
+/* "c G w V s = 133.3 × 1 × 0.5 × 0.5 × -0.0073 = -0.32": factors by name, in words if they fit; product. */
 static void write_product(const NearBonds *bonds, const Link *link, int columns, char out[2][160])
 {
     static const char *const names[LINK_FACTORS] = {"micromodulus c", "surface G", "share w", "volume V"};

@@ -75,8 +75,7 @@ static void verdict_of(const Screen *screen, const Study *study, char out[160])
     if (study->of->paper)
         text_append(out, 160, "  the layers make the beam thinner: see its height");
     else if (isfinite(study->limit)) {
-        /* The error does not vanish however small the horizon is: said, lest the curve be taken for one
-         * that does not converge. */
+        /* However small the horizon is an error is left: said, lest it be taken for no convergence. */
         text_append(out, 160, "  T tends to %.3f of theory, not to 1", study->limit);
         if (isfinite(order))
             text_append(out, 160, "  to that with order %.2f", order);
@@ -133,8 +132,7 @@ static void widen(double value, double *least, double *most)
     *most = fmax(*most, value);
 }
 
-/* The size of the error over what is refined, by powers of ten: an order is a slope. A ring is an error below
- * theory. */
+/* The size of the error over what is refined, by powers of ten: an order is a slope. A ring: below theory. */
 static void describe_errors(Picture *picture, const Study *study)
 {
     double least = INFINITY, most = 0, smallest = INFINITY, largest = 0;

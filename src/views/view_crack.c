@@ -197,8 +197,7 @@ const char *crack_cost_variant_word(const Screen *screen, int variant)
 
 enum { PARTS = 3 };
 
-/* A picture takes no keys while it is drawn, so its work has a bound: so many questions, a quarter of a
- * second or so. */
+/* A picture takes no keys while it is drawn, so its work has a bound: about a quarter of a second. */
 enum { QUESTIONS_MAX = 256 };
 
 static bool is_quick(double share, void *context)

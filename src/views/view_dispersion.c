@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Errors by mode. A bar: by how much each mode of its mesh is off, which is the picture that explains the
- * paper's 5 % and 20 %. A beam: its period over the horizon, between the two beam theories. Earlier runs
- * leave their dot.
- */
+/* Errors by mode. A bar: by how much each mode of its mesh is off, the paper's 5 % and 20 % explained. A
+ * beam: its period over the horizon, between the two beam theories. Earlier runs leave their dot. */
 #include "views/plots/plots.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"

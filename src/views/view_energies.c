@@ -339,8 +339,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const bool means = period > 0 && !is_fine(picture);
     add_bands(picture, &stack, period, means);
     if (means) {
-        /* Each band that is high enough to be read has its name in it: colours alone would not distinguish
-         * them apart. */
+        /* Each band that is high enough has its name in it: colours alone would not distinguish them. */
         const Axis *x = &picture->plot.x, *y = &picture->plot.y;
         const double time = x->low + (x->high - x->low) / 16, least = (y->high - y->low) / 24;
         for (int layer = 0; layer < stack.count && stack.record->count > 0; layer++) {

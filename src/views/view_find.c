@@ -77,7 +77,7 @@ static int variant_of_name(const View *view, const Screen *screen, const char *n
     return view_variant_named(view, screen, name + strcspn(name, ":") + 1);
 }
 
-/* Variants are of the run: the first of it is made to ask for them. */
+/* Variants are of the run: one is made to ask for them. */
 static bool check_variant(const Settings *settings, const View *view, const char *key, const char *name,
                           Status *status)
 {

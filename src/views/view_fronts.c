@@ -34,8 +34,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         most = fmax(most, speeds ? fronts->fronts[f].fastest : fronts->fronts[f].advance);
     time_plot_axes(screen, picture, axis_make(0, axis_round_up(most > 0 ? 1.02 * most : 1e-3)),
                    speeds ? "tips' speed" : "cracks' advance", speeds ? "m/s" : "m");
-    /* "a left", "b right": the cuts from whose ends they run; a lone one is measured, and goes without a
-     * name. */
+    /* "a left", "b right": the cuts from whose ends they run; a lone one goes without a name. */
     char name[NAME_BYTES];
     for (int f = 0; f < shown && fronts->count > 1; f++) {
         snprintf(name, sizeof name, "%c %s", 'a' + f, fronts->fronts[f].cut);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What happened, in words, newest last, of both runs of a duel; one event can be chosen and gone to.
- */
+/* What happened, in words, newest last, of both runs of a duel; one can choose an event and go to it. */
 #include "run/event_log.h"
 #include "panes/screen.h"
 #include "views/view.h"

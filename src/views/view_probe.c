@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is measured at the probe, over time, with the reference curves, earlier runs and the readout.
- */
+/* What is measured at the probe over time, with reference curves, earlier runs and the readout. */
 #include "views/plots/plots.h"
 #include "scenario/parameters.h"
 #include "run/overlay.h"
@@ -37,8 +36,7 @@ static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
     return count;
 }
 
-/* The column of a variant; the pictures of a crack follow the first one, *picture says which (-1: it is
- * a column). */
+/* The column of a variant; a crack's pictures follow the first one: *picture says which, -1: a column. */
 static int probe_column(const Screen *screen, int variant, int *picture)
 {
     int columns[COLUMNS_MAX];

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A field of the particles along the bar, or along the middle of a beam, with the exact curve behind.
- */
+/* A field of the particles along the bar, or the middle of a beam, with the exact curve behind. */
 #include "views/plots/plots.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_time.h"
@@ -150,8 +149,7 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
             simulation_has(experiment_simulation(runs[i].experiment), HAS_PLANE))
             text_append(runs[i].word, sizeof runs[i].word, ", middle row");
         if (runs[i].ghost >= 0) {
-            /* What a ghost's letter stands for: its moment, where it is another one than the present, and
-             * what differs. */
+            /* What a ghost's letter stands for: its moment where it is not the present, and what differs. */
             const double dt = screen_simulation(screen)->dt;
             char moment[48], word[RUN_WORD_MAX];
             if (fabs(runs[i].profile->time - experiment_time(screen->experiment)) >= 0.51 * dt) {

@@ -37,8 +37,7 @@ static double breakable(const Simulation *sim, const Stretches *all, size_t node
     return largest;
 }
 
-/* Where bonds break at s0, only bonds that never do are stretched more: their nodes are looked at bond by
- * bond. */
+/* Where bonds break at s0, only those that never do are stretched more: those are looked at one by one. */
 static bool take_stretches(const Simulation *sim, double s0, Stretches *all)
 {
     const size_t count = sim->counts[0];

@@ -396,8 +396,7 @@ static void describe_beam(Strip *strip, const double *x, const double *y, const 
     }
     if (strip->picture->body[0] < 4)
         return;
-    /* The frame of the drawing, which it keeps while the beam oscillates; how much its height is squeezed
-     * there. */
+    /* The frame, which it keeps while the beam oscillates, and how much its height is squeezed there. */
     Picture *picture = strip->picture;
     const int most = (int)strip->sim->columns * picture->across / picture->dots;
     /* no more dots across than the lattice has columns: else some stay dark */

@@ -29,8 +29,7 @@ void cells_open(Picture *picture, int columns, int rows, Glyphs glyphs)
 
 /* --- room ------------------------------------------------------------------------------------------ */
 
-/* The note from `i` on with those that go on behind it, in lines that are long or not; returns the next one.
- */
+/* The note from `i` on with those that go on behind it, in lines that are long or not; returns the next. */
 static int line_of_notes(const Picture *picture, int i, int columns, bool joined, PictureNote *line)
 {
     *line = picture->notes[i++];
@@ -142,8 +141,7 @@ static void draw_marks(const Picture *picture, Area inner)
         if (mark->kind == MARK_BAR)
             glyph = area_bar(inner, mark->share);
         else if (mark->kind == MARK_FINE && inner.glyphs == GLYPHS_BRAILLE) {
-            /* Of a dot of braille the half in which it lies, upright if it is a line; it joins what is
-             * there. */
+            /* Of braille the half in which it lies, upright if it is a line; it joins what is there. */
             const Axis *x = &picture->plot.x;
             enum { BLANK = 0x2800, LEFT_HALF = 0x47, UPRIGHT = 0xff, MIDDLE = 0x36 };
             const double place = (mark->x - x->low) / (x->high - x->low) * inner.rect.width;
@@ -159,8 +157,7 @@ static void draw_marks(const Picture *picture, Area inner)
         if (!shifted)
             plot_describe_mark(&picture->plot, inner, mark->x, mark->y, mark->glyph, mark->style);
         if (mark->letter) {
-            /* A letter is beside its dot, on the side where there is room; those of dots on one place in a
-             * row. */
+            /* A letter is beside its dot, where there is room; those on one place in a row. */
             const Plot *plot = &picture->plot;
             int apart = 2;
             for (size_t j = 0; j < i; j++)

@@ -53,8 +53,7 @@ void cells_map_body(const Picture *, Area, int colours); /* without words around
 /* One that is drawn with its dimensions: places in whole columns, and rows above 0. */
 void cells_drawing(const Picture *, Area, Style heading);
 
-/* In cells a factor is given by a letter: the sign for it is wide in some fonts. `out` has room for the text.
- */
+/* In cells a factor is a letter: the sign for it is wide in some fonts. `out` has room for the text. */
 void cells_plain_factors(const char *text, char *out);
 
 /* Where a place of the plot is drawn in the part `rect`. */

@@ -87,8 +87,7 @@ void cells_drawing(const Picture *picture, Area area, Style heading)
             area_put(area, (int)round(x) + (beside ? mark->side[0] : 0), y, mark->glyph, mark->style);
     }
     for (int i = 0; i < picture->n_labels; i++) {
-        /* Words keep a space from lines that they break, beside a line of their own where there is no room.
-         */
+        /* Words keep a space from lines that they break. */
         const PictureLabel *label = &picture->labels[i];
         char text[sizeof label->text + 2];
         snprintf(text, sizeof text, label->style == STYLE_NORMAL ? " %s " : "%s", label->text);

@@ -237,8 +237,7 @@ static void write_in(const TableSheet *sheet, int column, int row, const char *t
         area_text(*area, column, row, text, style);
 }
 
-/* In full with a hint if there is room for one, else in short; where a part is out of sight the hint is what
- * shows it, and comes first. */
+/* In full with a hint if there is room, else in short; a hint at a part out of sight comes first. */
 static void draw_heading(const Picture *picture, Area area, Style style)
 {
     const bool parted = tables_are_parted(picture, area.rect.width);

@@ -350,8 +350,7 @@ static void draw_arrows(const Sheet *sheet, bool heads)
         const PictureArrow *arrow = &sheet->picture->arrows[i];
         const Stroke shaft = {.style = arrow->style, .rank = RANK_BEFORE};
         double from[2], to[2];
-        /* Its ends in cells, between dots a little short of both, and its length in columns; a cell is
-         * twice as high as wide. */
+        /* Its ends in cells, between dots a little short of both; a cell is twice as high as wide. */
         place(sheet, arrow->from[0], arrow->from[1], &from[0], &from[1]);
         place(sheet, arrow->to[0], arrow->to[1], &to[0], &to[1]);
         const double dx = to[0] - from[0], dy = to[1] - from[1], end_length = math_hypot(dx, 2 * dy);
@@ -404,8 +403,7 @@ static const char *piece_of(const PictureKey *key, Glyphs glyphs)
     return NULL;
 }
 
-/* What the lines are: beside the body or, in a large map, in a row of their own. Of earlier runs the latest
- * stands for all. */
+/* What the lines are, beside the body or in a row of their own. Of earlier runs one stands for all. */
 static void name_lines(const Sheet *sheet)
 {
     enum { TALL = 12, LEAST = 4 };
@@ -623,8 +621,7 @@ static Area body_part(Area area)
 void cells_map(const Picture *picture, Area area, Style heading, int colours)
 {
     cells_map_body(picture, body_part(area), colours);
-    /* How the body is drawn, phrase by phrase as far as each has room; its field in full where all of them
-     * have. */
+    /* How the body is drawn, each phrase that has room; its field in full where all have. */
     const int room = area.rect.width - 6;
     char title[PICTURE_TEXT_MAX] = "", phrases[PICTURE_TEXT_MAX];
     cells_plain_factors(picture->notes[0].text, phrases);

@@ -145,8 +145,7 @@ static void draw_axes(const Frame *frame, double left)
 
 /* --- strokes --------------------------------------------------------------------------------------- */
 
-/* The letter of an earlier run is known by the legend: the ghosts among the strokes come in the same order.
- */
+/* The letter of an earlier run is known by the legend: ghosts among the strokes come in the same order. */
 Pencil draw_pencil(const Picture *picture, int index)
 {
     const Stroke *strokes = picture->plot.strokes;
@@ -222,8 +221,7 @@ static void draw_strokes(const Frame *frame)
     if (!places)
         return;
     for (int i = 0; i < plot->n_strokes; i++) {
-        /* A curve that oscillates so fast that it fills an area would hide all others: it lies behind them,
-         * and paler. */
+        /* A curve so fast that it fills an area would hide all others: it lies behind them, and paler. */
         const Stroke *stroke = &plot->strokes[i];
         const double *points = frame->picture->plot.points + 2 * stroke->first;
         double way = 0;
@@ -318,8 +316,7 @@ static size_t draw_signs(const Frame *frame, size_t first)
                      x_of(frame, begin->x + begin->half), y, BLACK, 1.1);
             straight(frame->paper, x, y, x, y_of(frame, begin->y + 0.5), BLACK, 1.1);
         }
-        /* Supports of nodes beside each other are one sign, in their middle, as loads are; of other signs
-         * each means a place. */
+        /* Supports, and loads, of nodes beside each other are one sign; others mean a place each. */
     } while (spreads && end < picture->n_marks && picture->marks[end].glyph == glyph &&
              fabs(begin->x - picture->marks[end].x) <= NEAR * range_of(&picture->plot.x));
     /* Supports hang below their place, loads of beams stand above it. */

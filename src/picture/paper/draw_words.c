@@ -102,8 +102,7 @@ double draw_phrases(Paper *paper, const char *text, Box box, const Type *type)
     text += strspn(text, " ");
     while (*text) {
         char piece[FIGURE_WORDS_MAX];
-        /* The bytes of the next piece: a phrase up to two spaces or, where that is too long for a line, a
-         * word. */
+        /* The next piece: a phrase up to two spaces or, where that is too long for a line, a word. */
         const char *end = strstr(text, in_phrase ? " " : "  ");
         size_t length = end ? (size_t)(end - text) : strlen(text);
         length = length < sizeof piece - 1 ? length : sizeof piece - 1;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A figure from its name to its file: which views make one, panels side by side, what the page says of the
- * run. */
+/* A figure from its name to its file: which views make one, panels, what the page says of the run. */
 #include "picture/paper/figure_file.h"
 #include "scenario/parameters.h"
 #include "scenario/settings.h"
@@ -28,8 +27,7 @@ enum { COLUMNS_MANY = 3 }; /* from so many panels on they are in two columns */
 
 static const Type small = {.size = SIZE_SMALL, .colour = GREY};
 
-/* The panel whose legend and colours can stand for all: the one that names most. NULL: there is none, or no
- * other panel. */
+/* The panel whose legend and colours can stand for all: that which names most. NULL: none, or it is alone. */
 static const Picture *common_of(const Figure *figure)
 {
     const Picture *most = &figure->panels[0]->picture;
@@ -261,8 +259,7 @@ void figure_names(const Screen *screen, FILE *stream)
 
 /* --- what stands around the panels ------------------------------------------------------------------ */
 
-/* All parameters of the run but where its files go: group by group, "Bar: length 25, density 1;  Start: mode
- * 5". */
+/* All parameters but where files go, by groups: "Bar: length 25, density 1;  Start: mode 5". */
 static void tell_parameters(const Settings *settings, char *out, size_t size)
 {
     const char *group = "";

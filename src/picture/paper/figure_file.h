@@ -34,8 +34,7 @@ bool figure_is_name(const char *file);
 /* Whether a file of that name can be written, by its ending. Nothing is touched. */
 bool figure_allowed(const char *file, Status *);
 
-/* The view that a name stands for on this screen: "profile:stress" chooses a variant, "profile" has the one
- * that the screen shows. */
+/* The view of a name on this screen: "profile:stress" chooses a variant, "profile" has the one on screen. */
 bool figure_view(Screen *, const char *name, const View **view, Status *);
 
 /* The names that figure_view() takes for this screen, one a line, each with what it shows. */
@@ -48,8 +47,7 @@ void figure_close(Figure *);
  * says why), or there are too many panels. */
 bool figure_add(Figure *, const Screen *, const View *, int panels, Status *);
 
-/* The factor of the displacements that suits all maps of the figure: the least. *differ: they have several.
- * 0: there are no maps. */
+/* The least factor of displacements among the maps of the figure; 0: there are none. *differ: several. */
 double figure_enlargement(const Figure *, bool *differ);
 
 /* Whether a file of that name can hold the figure: LaTeX and gnuplot draw curves alone. */

@@ -61,8 +61,7 @@ static void go_down(Leaflet *leaflet, double height)
     leaflet->used = true;
 }
 
-/* How many bytes of a text go into a line: up to a space or, of a word that is longer than a line, as many as
- * there is room for. */
+/* How many bytes of a text go into a line: up to a space or, of a longer word, as many as have room. */
 static size_t line_length(const char *text, const Type *type)
 {
     char line[FIGURE_WORDS_MAX];

@@ -115,16 +115,14 @@ typedef struct Place {
 
 void draw_heat(Paper *, const PictureMap *, const Place *);
 
-/* The colours of a map with their values, from the top of the box on; returns the height. Paper NULL: it is
- * only measured; so the others. */
+/* The colours of a map with their values, from the top of the box on. These return the height that they
+ * take; paper NULL: they only measure it. */
 double draw_heat_bar(Paper *, const Picture *, Box);
 
-/* The legend, in as many rows as it takes from the top of the box on; returns their height. Paper NULL: it is
- * only measured. */
+/* The legend, in as many rows as it takes. */
 double draw_legend_rows(Paper *, const Picture *, Box);
 
-/* Phrases that are separated by two spaces, wrapped, from the top of the box on; returns their height. Paper
- * NULL: likewise. */
+/* Phrases that are separated by two spaces, wrapped. */
 double draw_phrases(Paper *, const char *text, Box, const Type *);
 
 /* Heading, notes and tables of a picture that has them. */

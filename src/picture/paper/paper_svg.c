@@ -93,8 +93,7 @@ static void put_line(Paper *paper, const double *points, size_t count, const Pen
     fputs("/>\n", paper->stream);
 }
 
-/* The part of a piece of a line, x0, y0, x1, y1, that lies in the box (Liang and Barsky); false: none does.
- */
+/* The part of a piece of a line, x0, y0, x1, y1, that lies in the box (Liang and Barsky); false: none. */
 static bool cut(const Box *box, const double *piece, double out[4])
 {
     double from = 0, to = 1;

@@ -104,8 +104,7 @@ static void tell_number(const Screen *screen, Words *words)
     }
 }
 
-/* A line for each heading of the parameters that is of it, and one for each row; what does nothing is left
- * out. */
+/* A line for each heading of parameters that is of it and for each row; what does nothing is left out. */
 static void tell_setup(const Screen *screen, Words *words)
 {
     static const char *const groups[] = {"Supports", "Notch", "Load", "Motion", NULL};

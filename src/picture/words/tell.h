@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The screen in plain words. What panes draw as words (a stage, a lesson, a table) is written as it is drawn,
- * without frames; what views draw as curves or colours is described in sentences, made from what they plot.
- */
+/* The screen in plain words. What panes draw as words (a stage, a lesson, a table) is written as it is
+ * drawn, without frames; what views draw as curves or colours is described in sentences of what they plot. */
 #ifndef PICTURE_WORDS_TELL_H
 #define PICTURE_WORDS_TELL_H
 

@@ -16,8 +16,7 @@ enum { DIGITS = 4, LIST_DIGITS = 5, TERM_COLUMNS = 11, NAME_MAX = 96 };
 
 /* --- numbers with their names ---------------------------------------------------------------------- */
 
-/* An axis's name is "v_cm x10^-3", "t, ms" or "x": the power of ten belongs to the labels, a unit to the
- * values. */
+/* Of "v_cm x10^-3", "t, ms", "x": the power of ten belongs to an axis's labels, a unit to the values. */
 typedef struct Measure {
     char name[PICTURE_TEXT_MAX], unit[24];
     double scale;   /* values are divided by it */
@@ -246,8 +245,7 @@ static void say_path(Words *words, const char *name, const Curve *curve, const M
               number(x, high[0], texts[5]), number(y, low[1], texts[6]), number(y, high[1], texts[7]));
 }
 
-/* The same thing drawn twice, as a line and as dots, is described once; two cracks that grow alike are two.
- */
+/* The same thing drawn as a line and as dots is described once; two cracks that grow alike are two. */
 static bool is_told(const Picture *picture, int index)
 {
     const Plot *plot = &picture->plot;
@@ -433,8 +431,7 @@ static void say_map(const Picture *picture, Words *words)
                       picture->keys[i].name);
 }
 
-/* "particle: x; velocity" and below it "25: 12.75, 0.079968", or "t 5.1: bond 12-13 broke"; the chosen row
- * with those around it. */
+/* "particle: x; velocity", then "25: 12.75, 0.08" or "t 5.1: bond broke" of rows around the chosen one. */
 static void say_list(const Picture *picture, Words *words)
 {
     const PictureList *list = picture->list;
@@ -527,8 +524,7 @@ void tell_picture(const Picture *picture, double cursor, Words *words)
     if (picture->list)
         say_list(picture, words);
     for (int i = 0; i < picture->n_labels && picture->bare; i++) {
-        /* Of a drawing a thing with the numbers that stand below its name, one without says nothing; and
-         * its words. */
+        /* Of a drawing a thing with the numbers below its name, if it has any; and its words. */
         const PictureLabel *label = &picture->labels[i];
         const bool label_drawn = drawn || strip;
         if (!label_drawn || !label->thing || strchr(label->text, '\n')) {

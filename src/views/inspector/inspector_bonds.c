@@ -15,8 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What the force of the node is made of, as far as this step has come: into the columns that add, of these
- * fields and with these loads. */
+/* What makes the node's force as far as this step has come: into columns that add, with these loads. */
 static void add_totals(const Simulation *sim, size_t node, const char *const *fields, const double *loads,
                        PictureTable *table)
 {
@@ -290,8 +289,7 @@ static void family_describe(const Screen *screen, Picture *picture)
     const Simulation *sim = family.sim;
     describe_subject(&family, picture);
     if (family.last >= 0) {
-        /* The bond that broke last, with both ends; in the step in which it did with the stretch that broke
-         * it. Enter goes there. */
+        /* The bond that broke last; in the step in which it did with the stretch. Enter goes there. */
         const Link *link = &family.links[family.last];
         const bool now = link->broken_at == sim->step + (sim->stage > 0);
         picture_note(picture, STYLE_WARNING,

@@ -210,8 +210,7 @@ static double named(const Subject *subject, const char *field)
     return simulation_named(subject->sim, subject->set, field, subject->index);
 }
 
-/* The latest stage first (between steps what the first stage will do), then what the subject is made of, then
- * what else is still at hand. */
+/* The latest stage (between steps what the first will do), then the subject's parts, then the rest. */
 static void describe(const Screen *screen, Picture *picture)
 {
     const Subject subject = subject_of(screen);

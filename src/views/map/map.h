@@ -100,8 +100,7 @@ double map_reach(const Map *, int field, const double *now);
 /* A line between two places of the body, bent with it; and one that stays as it is. */
 void map_body_line(Map *, const double from[2], const double to[2], Stroke pen);
 
-/* Both ends of a row as places in the body, m: of a load along its edge; of the probe twice the same.
- */
+/* Both ends of a row as places in the body, m: of a load along its edge, of the probe twice the same. */
 void map_row_ends(const Settings *, int kind, int row, double ends[2][2]);
 
 /* The corners of a row that is a rectangle, the first one again at the end. */

@@ -78,8 +78,7 @@ static void share_of_family(Map *map)
     map->drawn->high = 1;
 }
 
-/* A value that all but a few nodes keep below: a load's edge or a crack's tip must not leave the rest of the
- * beam without colour. */
+/* A value that all but a few nodes keep below: a crack's tip must not leave the rest without colour. */
 static double most_values(const Map *map, double most)
 {
     enum { BINS = 256, PASSES = 3 };

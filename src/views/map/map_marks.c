@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is drawn over the map: notch, protected zones, channel and crack as lines; supports, load and the
- * chosen node as signs. */
+/* Over the map: notch, zones, channel and crack as lines; supports, load and the chosen node as signs. */
 #include "answers/crack_growth.h"
 #include "base/math/functions.h"
 #include "base/text.h"

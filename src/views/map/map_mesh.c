@@ -68,8 +68,7 @@ Principal principal_stresses(double xx, double yy, double xy)
     return (Principal){mean + radius, mean - radius, math_atan2(xy, half) / 2};
 }
 
-/* The principal stresses of the chosen particle, and the largest of all; false: none is chosen, the particles
- * tell no stress, or no memory. */
+/* The principal stresses of the chosen particle, and the largest of all; false: none, or no memory. */
 static bool chosen_stress(const Map *map, Principal *own, double *most)
 {
     static const char *const names[3] = {"sxx", "syy", "sxy"};

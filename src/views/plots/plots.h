@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What plots of runs share: which runs they show and how these are distinguished, curves over time, and a
- * foreign series beside them. */
+/* What plots of runs share: runs and how they are distinguished, curves over time, a foreign series. */
 #ifndef VIEWS_PLOTS_PLOTS_H
 #define VIEWS_PLOTS_PLOTS_H
 
@@ -61,8 +60,7 @@ void runs_add_ghosts(Picture *, const ShownRun *, int n_runs, const char *column
 /* The run's letter at the end of its curve over time. */
 void runs_letter_over_time(Picture *, const ShownRun *, int column);
 
-/* A letter at the end of the column's curve of every run that has one: a ghost is recognised by more than its
- * faint colour. */
+/* The letter of every run that has one, at the end of the column's curve: not faint alone. */
 void runs_add_letters(Picture *, const ShownRun *, int n_runs, const char *column);
 
 /* "a: cell size 1  b: USL": what the ghosts' letters stand for, for pictures whose legend has no room for it.
@@ -106,8 +104,7 @@ size_t time_plot_stride(const Record *);
 /* The largest magnitude of a column in the whole record, so that the axis does not depend on the window. */
 double time_plot_reach(const Record *, int column);
 
-/* Between what the references among the columns will lie: asked for times to come, so that the axis is right
- * from the start. */
+/* Between what the references among the columns will lie, so that the axis is right from the start. */
 void time_plot_range_to_come(const Screen *, double least[COLUMNS_MAX], double most[COLUMNS_MAX]);
 
 /* How the column of a record is drawn that answers another one: with which line, under which name. */

@@ -231,8 +231,7 @@ static double sample(const void *context, size_t index, double *x)
     return samples->y[index];
 }
 
-/* Few values have a mark each; of many one now and then, so that they are seen where the run's own curve
- * covers them. */
+/* Few values have a mark each; of many one now and then, to be seen where the run's curve covers them. */
 void overlay_add(const Screen *screen, Picture *picture, const char *curve, bool along)
 {
     const OverlayColumn *column = column_of(screen->overlay, curve, along);
