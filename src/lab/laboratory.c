@@ -40,9 +40,7 @@ bool laboratory_open(Laboratory *lab, const LaboratoryOptions *options, const Ho
     lab->screen.diagnosis = lab->diagnosis;
     if (options->sheet && strcmp(options->sheet, parameter_sheet_words[SHEET_PLAIN]) == 0)
         lab->screen.panes.sheet = SHEET_PLAIN;
-    Settings settings = *options->settings;
-    opening_show_progress(lab, &settings);
-    Experiment *experiment = opening_experiment(lab, &settings, status);
+    Experiment *experiment = opening_experiment(lab, options->settings, status);
     if (!experiment) {
         laboratory_close(lab);
         return false;

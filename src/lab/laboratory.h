@@ -177,10 +177,8 @@ bool refining_stop(Laboratory *);
 
 /* Opening a scenario: its run is made, and put in the place of another. */
 
-/* Settings whose simulation shows on the screen how far its building has come; copies of them do too. */
-void opening_show_progress(Laboratory *, Settings *);
-
-Experiment *opening_experiment(const Laboratory *, const Settings *, Status *);
+/* Its simulation shows on the screen how far its building has come, now and when it is made again. */
+Experiment *opening_experiment(Laboratory *, const Settings *, Status *);
 
 /* This run takes the place of the one before, which goes; what belongs to a run and not to the way it is
  * looked at begins again. */

@@ -17,19 +17,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static void read_view(Laboratory *lab)
-{
-    const ViewSettings *view = settings_view(laboratory_settings(lab));
-    Screen *screen = &lab->screen;
-    double value;
-    views_open(screen, view);
-    if (sscanf(view->pace, "%lf", &value) == 1 && value > 0) {
-        lab->player.playback.pace = value;
-        lab->player.pace_automatic = false;
-    }
-    screen_read_view(screen, view);
-}
-
 void opening_begin(Laboratory *lab, Experiment *experiment)
 {
     Screen *screen = &lab->screen;
@@ -59,7 +46,14 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     screen->chosen.node = simulation->n_sets > 1 ? simulation->counts[1] / 2 : 0;
     player_choose_pace(&lab->player);
     /* after what was chosen for it: what the scenario says itself goes before */
-    read_view(lab);
+    const ViewSettings *view = settings_view(laboratory_settings(lab));
+    double pace;
+    views_open(screen, view);
+    if (sscanf(view->pace, "%lf", &pace) == 1 && pace > 0) {
+        lab->player.playback.pace = pace;
+        lab->player.pace_automatic = false;
+    }
+    screen_read_view(screen, view);
     screen->duel = &lab->player.duel;
     screen->convergence = &lab->refining.convergence;
     lab->player.second_ended = false;
@@ -100,14 +94,11 @@ static bool show_building(double share, void *context)
                            laboratory_run(lab) ? "Esc" : "^C");
 }
 
-void opening_show_progress(Laboratory *lab, Settings *settings)
+Experiment *opening_experiment(Laboratory *lab, const Settings *settings, Status *status)
 {
-    settings->cancel = (Cancel){show_building, lab};
-}
-
-Experiment *opening_experiment(const Laboratory *lab, const Settings *settings, Status *status)
-{
-    return experiment_create(settings, lab->options.history, lab->options.threads, status);
+    Settings shown = *settings;
+    shown.cancel = (Cancel){show_building, lab};
+    return experiment_create(&shown, lab->options.history, lab->options.threads, status);
 }
 
 Asker laboratory_user(const Laboratory *lab)
@@ -128,7 +119,6 @@ static bool open_scenario(Laboratory *lab, const char *name, Status *status)
         (view_check(&settings, scenario_builtin(name) ? &settings : NULL, status) ||
          (scenario_blame(name, NULL, 0, status), false))) {
         /* checked before, for this may take long */
-        opening_show_progress(lab, &settings);
         experiment = opening_experiment(lab, &settings, status);
         if (!experiment)
             scenario_blame(name, NULL, 0, status);
@@ -176,68 +166,13 @@ bool opening_whole(Laboratory *lab, const char *text, Status *status)
 
 /* Opening a scenario: from a list with titles, that shrinks to what is typed, or by a path. */
 
-static bool offer(ScenarioList *list, const char *name, const char *title)
+static void offer(ScenarioList *list, const char *name, const char *title)
 {
     if (list->count == SCENARIOS_MAX || strlen(name) >= SCENARIO_NAME_MAX)
-        return false;
+        return;
     snprintf(list->entries[list->count].name, SCENARIO_NAME_MAX, "%s", name);
     snprintf(list->entries[list->count].title, TITLE_MAX, "%s", title);
     list->count++;
-    return true;
-}
-
-/* A file of the folder that can be opened; not the ones beside tables, which are many. */
-static void offer_file(ScenarioList *list, const char *name, Settings *settings)
-{
-    struct stat file;
-    Status status = {STATUS_DONE, ""};
-    const size_t length = strlen(name);
-    if (length < 5 || strcmp(name + length - 4, ".ini") != 0 ||
-        (length > 8 && strcmp(name + length - 8, ".csv.ini") == 0))
-        return;
-    if (stat(name, &file) == 0 && S_ISREG(file.st_mode) && scenario_load(name, settings, &status))
-        offer(list, name, settings->title);
-}
-
-static int by_name(const struct dirent **a, const struct dirent **b)
-{
-    return strcmp((*a)->d_name, (*b)->d_name);
-}
-
-/* What is shown: whatever holds the text in its name or its title. */
-static void narrow(ScenarioList *list, const char *text, const char *open)
-{
-    list->n_shown = 0;
-    list->chosen = list->open = -1;
-    for (int i = 0; i < list->count; i++)
-        if (strcasestr(list->entries[i].name, text) || strcasestr(list->entries[i].title, text)) {
-            if (strcmp(list->entries[i].name, open) == 0)
-                list->open = list->n_shown;
-            list->shown[list->n_shown++] = i;
-        }
-}
-
-static void choose(Prompting *prompting, int chosen)
-{
-    ScenarioList *list = &prompting->scenarios;
-    if (list->n_shown == 0)
-        return;
-    list->chosen = chosen < 0 ? 0 : chosen < list->n_shown ? chosen : list->n_shown - 1;
-    prompt_fill(prompting, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
-    prompting->shown.hint[0] = '\0';
-}
-
-/* The row that a first key moves from: the open one, so that the way to the next is short, but what was
- * searched for begins at its top, or its end. */
-static int where_to_begin(const Prompting *prompting, int rows)
-{
-    const ScenarioList *list = &prompting->scenarios;
-    const bool searched = prompting->shown.text[0] != '\0';
-    if (list->chosen >= 0)
-        return list->chosen;
-    if (!searched && list->open >= 0 && list->open + rows >= 0 && list->open + rows < list->n_shown)
-        return list->open;
-    return rows > 0 ? -1 : list->n_shown;
 }
 
 static bool choose_by_key(Laboratory *lab, const char *key)
@@ -246,19 +181,45 @@ static bool choose_by_key(Laboratory *lab, const char *key)
         const char *key;
         int rows;
     } moves[] = {{"Up", -1}, {"Down", 1}, {"PageUp", -8}, {"PageDown", 8}};
-    const ScenarioList *list = lab->prompting.shown.scenarios;
-    for (size_t i = 0; list && i < sizeof moves / sizeof *moves; i++)
-        if (strcmp(key, moves[i].key) == 0) {
-            choose(&lab->prompting, where_to_begin(&lab->prompting, moves[i].rows) + moves[i].rows);
-            return true;
-        }
-    return false;
+    Prompting *prompting = &lab->prompting;
+    ScenarioList *list = &prompting->scenarios;
+    size_t i = 0;
+    while (i < sizeof moves / sizeof *moves && strcmp(key, moves[i].key) != 0)
+        i++;
+    if (i == sizeof moves / sizeof *moves)
+        return false;
+    if (list->n_shown == 0)
+        return true;
+    /* A first key moves from the open one, so that the way to the next is short, but what was searched for
+     * begins at its top, or its end. */
+    const int rows = moves[i].rows, next = list->open + rows;
+    const bool from_open =
+        prompting->shown.text[0] == '\0' && list->open >= 0 && next >= 0 && next < list->n_shown;
+    const int from = list->chosen >= 0 ? list->chosen
+                     : from_open       ? list->open
+                     : rows > 0        ? -1
+                                       : list->n_shown;
+    const int to = from + rows;
+    list->chosen = to < 0 ? 0 : to < list->n_shown ? to : list->n_shown - 1;
+    prompt_fill(prompting, list->entries[list->shown[list->chosen]].name); /* typing begins a new search */
+    prompting->shown.hint[0] = '\0';
+    return true;
 }
 
+/* What is shown: whatever holds the text in its name or its title. */
 static void narrow_to_text(Laboratory *lab, const char *key)
 {
+    ScenarioList *list = &lab->prompting.scenarios;
+    const char *text = lab->prompting.shown.text;
     (void)key;
-    narrow(&lab->prompting.scenarios, lab->prompting.shown.text, lab->scenario);
+    list->n_shown = 0;
+    list->chosen = list->open = -1;
+    for (int i = 0; i < list->count; i++)
+        if (strcasestr(list->entries[i].name, text) || strcasestr(list->entries[i].title, text)) {
+            if (strcmp(list->entries[i].name, lab->scenario) == 0)
+                list->open = list->n_shown;
+            list->shown[list->n_shown++] = i;
+        }
 }
 
 /* What was typed is a name or a path; where it is neither, the first scenario left in the list is meant. */
@@ -282,15 +243,23 @@ void opening_ask(Laboratory *lab)
     }
     struct dirent **names;
     Settings *settings = malloc(sizeof *settings);
-    const int count = settings ? scandir(".", &names, NULL, by_name) : -1;
+    const int count = settings ? scandir(".", &names, NULL, complete_by_name) : -1;
     for (int i = 0; i < count; i++) {
-        offer_file(list, names[i]->d_name, settings);
+        /* A file of the folder that can be opened; not the ones beside tables, which are many. */
+        struct stat file;
+        Status ignored = {STATUS_DONE, ""};
+        const char *name = names[i]->d_name;
+        const size_t length = strlen(name);
+        const bool named = length >= 5 && strcmp(name + length - 4, ".ini") == 0 &&
+                           !(length > 8 && strcmp(name + length - 8, ".csv.ini") == 0);
+        if (named && stat(name, &file) == 0 && S_ISREG(file.st_mode) && scenario_load(name, settings, &ignored))
+            offer(list, name, settings->title);
         free(names[i]);
     }
     if (count >= 0)
         free(names);
     free(settings);
-    narrow(list, "", lab->scenario);
     prompt_ask(lab, answer_scenario, &typing, "", "open scenario or file");
     lab->prompting.shown.scenarios = list;
+    narrow_to_text(lab, NULL);
 }

@@ -151,27 +151,6 @@ long player_steps_ahead(const Laboratory *lab)
     return limit == LONG_MAX ? limit : limit > step ? limit - step : 0;
 }
 
-/* The first thing that it waited for of the step that has just been done, in general words where the run
- * keeps no more events; else the time. */
-static void tell_stop(Laboratory *lab)
-{
-    const Simulation *sim = laboratory_simulation(lab);
-    const NumberText time = text_rounded(simulation_time(sim), 6);
-    const Stop *stop = &lab->player.stop;
-    char waited[STOP_WORDS_MAX];
-    const char *what = waited;
-    stop_words(stop, waited);
-    for (int i = sim->n_events - 1; i >= 0 && sim->events[i].step == sim->step; i--)
-        if (stop->events >> sim->events[i].kind & 1)
-            what = sim->events[i].text;
-    if (stop->rests)
-        laboratory_tell(lab, "stopped at t = %s: at rest", time.text);
-    else if (stop->kind == STOP_AT_EVENT)
-        laboratory_tell(lab, "stopped at t = %s: %s", time.text, what);
-    else
-        laboratory_tell(lab, "stopped at t = %s, step %ld", time.text, sim->step);
-}
-
 bool player_arrive(Laboratory *lab)
 {
     Player *player = &lab->player;
@@ -181,7 +160,20 @@ bool player_arrive(Laboratory *lab)
     long first;
     if (stop_happened(&player->stop, experiment) || stop == step) {
         player_pause(lab);
-        tell_stop(lab);
+        /* The first thing that it waited for of the step that has just been done, in general words where the
+         * run keeps no more events; else the time. */
+        const Simulation *sim = laboratory_simulation(lab);
+        const NumberText time = text_rounded(simulation_time(sim), 6);
+        const char *what = player->playback.until;
+        for (int i = sim->n_events - 1; i >= 0 && sim->events[i].step == sim->step; i--)
+            if (player->stop.events >> sim->events[i].kind & 1)
+                what = sim->events[i].text;
+        if (player->stop.rests)
+            laboratory_tell(lab, "stopped at t = %s: at rest", time.text);
+        else if (player->stop.kind == STOP_AT_EVENT)
+            laboratory_tell(lab, "stopped at t = %s: %s", time.text, what);
+        else
+            laboratory_tell(lab, "stopped at t = %s, step %ld", time.text, sim->step);
         player_stop_at(lab, &never);
         return true;
     }
@@ -196,20 +188,6 @@ bool player_arrive(Laboratory *lab)
     player->owed = 0;
     player_seek(lab, first, 0);
     return true;
-}
-
-/* --- slow motion --------------------------------------------------------------------------------------- */
-
-enum { SLOW_FRAMES = 20 }; /* a stage in two thirds of a second */
-
-void player_slow_motion(Laboratory *lab, bool on)
-{
-    player_pause(lab);
-    if (lab->player.slow_frames == 0)
-        lab->player.slow_frames = SLOW_FRAMES;
-    lab->player.slow_left = 0;
-    lab->player.playback.slow =
-        on && lab->player.playback.state != STATE_ENDED && lab->player.playback.state != STATE_FAILED;
 }
 
 /* --- pace -------------------------------------------------------------------------------------------- */

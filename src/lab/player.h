@@ -70,9 +70,6 @@ void player_stop_at(Laboratory *, const Stop *);
 /* From one time to another, again and again while it runs; `to` beyond `from`. Off: it runs on. */
 void player_loop(Laboratory *, const Stretch *);
 
-/* Stage after stage, each long enough to be looked at; the run counts as paused. */
-void player_slow_motion(Laboratory *, bool on);
-
 /* How many whole steps a run that goes on may do, as far as that is known: before each piece of work. */
 long player_steps_ahead(const Laboratory *);
 

@@ -23,8 +23,7 @@ static void select_row(Laboratory *lab, int kind, int row)
             lab->parameters.selected = i;
 }
 
-/* --- as text ----------------------------------------------------------------------------------------------
- */
+/* --- as text --- */
 
 /* "NAME = VALUES" or "NAME VALUES"; of the kind that has no names the values alone. */
 static bool part(int kind, const char *text, char name[KEY_MAX], const char **values)
@@ -138,8 +137,7 @@ void row_edit_nudge(Laboratory *lab, int direction, bool fine)
                         row_kinds[place.kind].one);
 }
 
-/* --- on the map
- * --------------------------------------------------------------------------------------------- */
+/* --- on the map --- */
 
 /* The columns of an end's place along x and along y; -1: it has none of its own. */
 static void columns_of_end(const Settings *settings, int kind, int row, int end, int columns[2])
@@ -304,8 +302,7 @@ void row_edit_point(Laboratory *lab, int x, int y)
     say_place(lab);
 }
 
-/* --- commands
- * ------------------------------------------------------------------------------------------------ */
+/* --- commands --- */
 
 /* The first kind of which rows can be added: cuts, bodies. -1: there is none, and that is said. */
 static int first_kind(Laboratory *lab)

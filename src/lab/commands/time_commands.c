@@ -308,8 +308,7 @@ bool command_answer_until(Laboratory *lab, const char *text, Status *status)
     return true;
 }
 
-/* --- events -----------------------------------------------------------------------------------------------
- */
+/* --- events --- */
 
 static void go_to_event(Laboratory *lab, const Event *events, int at, int count)
 {
@@ -368,8 +367,7 @@ void command_previous_event(Laboratory *lab)
         laboratory_tell(lab, "there is no event before this time");
 }
 
-/* --- a stretch of time -------------------------------------------------------------------------------------
- */
+/* --- a stretch of time --- */
 
 /* Two times separated by a space or, where they have spaces of their own, by "to". */
 static bool read_times(const char *text, const Experiment *experiment, double *from, double *to)
@@ -412,13 +410,19 @@ bool command_answer_loop(Laboratory *lab, const char *text, Status *status)
     return true;
 }
 
-/* --- slow motion
- * --------------------------------------------------------------------------------------------- */
-
+/* Stage after stage, each long enough to be looked at; the run counts as paused. */
 void command_slow_motion(Laboratory *lab)
 {
-    if (experiment_at_end(laboratory_run(lab)))
+    enum { SLOW_FRAMES = 20 }; /* a stage in two thirds of a second */
+    const bool on = !lab->player.playback.slow;
+    if (experiment_at_end(laboratory_run(lab))) {
         laboratory_tell(lab, "this is the end of the run");
-    else
-        player_slow_motion(lab, !lab->player.playback.slow);
+        return;
+    }
+    player_pause(lab);
+    if (lab->player.slow_frames == 0)
+        lab->player.slow_frames = SLOW_FRAMES;
+    lab->player.slow_left = 0;
+    lab->player.playback.slow =
+        on && lab->player.playback.state != STATE_ENDED && lab->player.playback.state != STATE_FAILED;
 }

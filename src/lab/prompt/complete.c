@@ -56,25 +56,21 @@ static bool begins(const char *text, const char *start)
     return strncasecmp(text, start, strlen(start)) == 0;
 }
 
-/* Whether what was typed begins a key's name without its section, a later word of it, or its label. */
-static bool is_meant(const Parameter *parameter, const char *start)
-{
-    bool meant = begins(parameter->label, start);
-    for (const char *at = parameter->key; (at = strpbrk(at, "._")) && !meant;)
-        meant = begins(++at, start);
-    return meant;
-}
-
-/* Keys that are written out in full where something else of them was typed; several are only shown. */
+/* Keys that are written out in full where something else of them was typed: the beginning of the key's name
+ * without its section, of a later word of it, or of its label; several are only shown. */
 static void offer_meant(Completion *completion, const Laboratory *lab, const char *tail)
 {
     const char *typed = completion->start;
-    for (int i = 0; *typed && i < n_parameters; i++)
-        if (parameter_applies_to(laboratory_settings(lab), &parameters[i]) &&
-            is_meant(&parameters[i], typed)) {
-            completion->start = "";
+    for (int i = 0; *typed && i < n_parameters; i++) {
+        if (!parameter_applies_to(laboratory_settings(lab), &parameters[i]))
+            continue;
+        bool meant = begins(parameters[i].label, typed);
+        for (const char *at = parameters[i].key; (at = strpbrk(at, "._")) && !meant;)
+            meant = begins(++at, typed);
+        completion->start = "";
+        if (meant)
             offer(completion, parameters[i].key, tail);
-        }
+    }
     completion->start = typed;
     if (completion->found > 1)
         completion->common[0] = '\0';
@@ -111,15 +107,9 @@ static void offer_values(Completion *completion, const Settings *settings, const
     }
 }
 
-static int by_name(const struct dirent **a, const struct dirent **b)
+int complete_by_name(const struct dirent **a, const struct dirent **b)
 {
     return strcmp((*a)->d_name, (*b)->d_name);
-}
-
-static bool is_table(const char *name)
-{
-    const size_t length = strlen(name);
-    return length > 4 && strcmp(name + length - 4, ".csv") == 0;
 }
 
 /* By name; with `tables` those of CSV first. */
@@ -130,12 +120,14 @@ static void offer_files(Completion *completion, bool tables)
     char path[512];
     snprintf(path, sizeof path, "%.*s", (int)folder, completion->start);
     struct dirent **entries;
-    const int count = scandir(folder ? path : ".", &entries, NULL, by_name);
+    const int count = scandir(folder ? path : ".", &entries, NULL, complete_by_name);
     for (int i = 0; i < 2 * count; i++) {
         const char *name = entries[i % count]->d_name;
+        const size_t length = strlen(name);
+        const bool is_table = length > 4 && strcmp(name + length - 4, ".csv") == 0;
         struct stat file;
-        if ((name[0] == '.' && completion->start[folder] != '.') ||
-            (i < count) != (tables && is_table(name)) || !visible_is_clean(name))
+        if ((name[0] == '.' && completion->start[folder] != '.') || (i < count) != (tables && is_table) ||
+            !visible_is_clean(name))
             continue;
         snprintf(path, sizeof path, "%.*s%s", (int)folder, completion->start, name);
         if (strlen(path) + 2 < sizeof path && stat(path, &file) == 0 && S_ISDIR(file.st_mode))

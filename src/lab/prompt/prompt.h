@@ -8,6 +8,7 @@
 #include "terminal/keys.h"
 #include "panes/entry.h"
 
+#include <dirent.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -67,6 +68,7 @@ void complete_line(Completion *, const Laboratory *);
 void complete_assignments(Completion *, const Laboratory *); /* KEY=VALUE ... */
 void complete_scenarios(Completion *, const Laboratory *);
 void complete_files(Completion *, const Laboratory *);
+int complete_by_name(const struct dirent **, const struct dirent **); /* an order for scandir() */
 
 /* Editing one line of UTF-8 text; shared by fields and prompts. */
 
