@@ -86,21 +86,6 @@ static void place_of(const Simulation *sim, size_t particle, double place[SIMULA
             sim->method->field(sim, sim->position[d], particle, 1, &place[d]);
 }
 
-static size_t nearest_to(const Simulation *sim, const double place[SIMULATION_DIMENSIONS_MAX])
-{
-    size_t nearest = 0;
-    double least = INFINITY;
-    for (size_t i = 0; i < sim->counts[0]; i++) {
-        double here[SIMULATION_DIMENSIONS_MAX] = {0}, square = 0;
-        place_of(sim, i, here);
-        for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
-            square += (here[d] - place[d]) * (here[d] - place[d]);
-        if (square < least)
-            least = square, nearest = i;
-    }
-    return nearest;
-}
-
 bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     size_t *chosen = &lab->screen.chosen.particle;
@@ -112,38 +97,37 @@ bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb
     if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
     sim = laboratory_simulation(lab);
-    /* another spacing numbers them again: the one that was looked at is the one that lies nearest to its
-     * place
-     */
-    if (*chosen < before && sim->counts[0] != before)
-        *chosen = nearest_to(sim, place);
+    if (*chosen >= before || sim->counts[0] == before)
+        return true;
+    /* another spacing numbers them again: the one that was looked at is the one that lies nearest */
+    double least = INFINITY;
+    *chosen = 0;
+    for (size_t i = 0; i < sim->counts[0]; i++) {
+        double here[SIMULATION_DIMENSIONS_MAX] = {0}, square = 0;
+        place_of(sim, i, here);
+        for (int d = 0; d < SIMULATION_DIMENSIONS_MAX; d++)
+            square += (here[d] - place[d]) * (here[d] - place[d]);
+        if (square < least)
+            least = square, *chosen = i;
+    }
     return true;
-}
-
-/* What can be undone from now on; the oldest change makes room. */
-static void remember(Editing *editing, const Settings *before)
-{
-    if (editing->n_undo == UNDO_MAX)
-        memmove(editing->undo, editing->undo + 1, (size_t)--editing->n_undo * sizeof *editing->undo);
-    editing->undo[editing->n_undo++] = *before;
-    editing->n_redo = 0;
 }
 
 bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
+    Editing *editing = &lab->editing;
     Settings old = *laboratory_settings(lab);
     bool same = settings_same(&old, settings);
     const long step = player_place(lab).step;
     /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
-    if (step != lab->editing.anchor_step)
-        lab->editing.anchor_time = (double)step * laboratory_simulation(lab)->dt;
+    if (step != editing->anchor_step)
+        editing->anchor_time = (double)step * laboratory_simulation(lab)->dt;
     /* a run that was at its end comes back to its end, which may lie a part of a step later */
     if (step >= experiment_last_step(laboratory_run(lab)) &&
         settings_time(settings)->end == settings_time(&old)->end)
-        lab->editing.anchor_time = 2 * settings_time(&old)->end;
+        editing->anchor_time = 2 * settings_time(&old)->end;
     Status said = {STATUS_DONE, ""};
-    bool taken = edit_change_runs(lab, settings, verb, &said);
-    if (!taken)
+    if (!edit_change_runs(lab, settings, verb, &said))
         return status_take(status, &said);
     if (same && experiment_pending(laboratory_run(lab), NULL)) {
         return_to_time(lab); /* the same run with another column */
@@ -152,7 +136,10 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
     if (same)
         return true;
     return_to_time(lab);
-    remember(&lab->editing, &old);
+    if (editing->n_undo == UNDO_MAX) /* the oldest change makes room */
+        memmove(editing->undo, editing->undo + 1, (size_t)--editing->n_undo * sizeof *editing->undo);
+    editing->undo[editing->n_undo++] = old;
+    editing->n_redo = 0;
     edit_changed(lab);
     player_tell_duel_over(lab, &said);
     return true;

@@ -135,26 +135,20 @@ static void lay_over(Laboratory *lab, DiagnoseTable *table)
     lab->screen.overlay = &lab->overlay;
 }
 
-/* Takes the word behind the file's name away. */
-static bool take_pairs(char *path)
-{
-    char *word = strrchr(path, ' ');
-    if (!word || strcmp(word, " pairs") != 0)
-        return false;
-    *word = '\0';
-    return true;
-}
-
 bool fitting_diagnose(Laboratory *lab, const char *words, Status *status)
 {
     char path[NAME_MAX_BYTES];
     const Settings settings = *experiment_base(laboratory_run(lab));
     snprintf(path, sizeof path, "%s", words + strspn(words, " "));
+    char *word = strrchr(path, ' ');
+    const bool pairs = word && strcmp(word, " pairs") == 0;
+    if (pairs)
+        *word = '\0';
     Diagnosis *found = calloc(1, sizeof *found);
     Diagnosing waiting = {lab, found};
     const DiagnoseTask task = {.settings = &settings,
                                .threads = lab->options.threads,
-                               .pairs = take_pairs(path),
+                               .pairs = pairs,
                                .cancel = {wait_for_it, &waiting}};
     DiagnoseTable *table = calloc(1, sizeof *table);
     player_pause(lab);

@@ -41,11 +41,6 @@ static bool part(int kind, const char *text, char name[KEY_MAX], const char **va
     return **values != '\0';
 }
 
-static bool apply(Laboratory *lab, const Settings *settings, Status *status)
-{
-    return edit_change(lab, settings, experiment_edit, status);
-}
-
 bool row_edit_line(Laboratory *lab, const char *words, int kind, Status *status)
 {
     Settings settings = *laboratory_settings(lab);
@@ -59,7 +54,7 @@ bool row_edit_line(Laboratory *lab, const char *words, int kind, Status *status)
     const bool sound = strcmp(values, "none") == 0 && !row_kinds[kind].usual
                            ? settings_row_remove(&settings, kind, name, status)
                            : settings_row_set(&settings, kind, name, values, status);
-    if (!sound || !apply(lab, &settings, status))
+    if (!sound || !edit_change(lab, &settings, experiment_edit, status))
         return false;
     const int row = settings_row_find(&settings, kind, name);
     if (row >= 0) { /* the keys that edit rows mean it now, so it is to be seen */
@@ -98,7 +93,7 @@ static bool accept(Laboratory *lab, Status *status)
         memmove(&list->rows[row + 1], &list->rows[row], (size_t)(list->count - 1 - row) * sizeof moved);
         list->rows[row] = moved;
     }
-    if (!apply(lab, &settings, status))
+    if (!edit_change(lab, &settings, experiment_edit, status))
         return false;
     select_row(lab, kind, settings_row_find(laboratory_settings(lab), kind, name));
     return true;
@@ -157,11 +152,6 @@ static void columns_of_end(const Settings *settings, int kind, int row, int end,
     }
 }
 
-static double extent(const Settings *settings, int axis)
-{
-    return axis == 0 ? settings_geometry(settings)->length : settings_geometry(settings)->height;
-}
-
 /* From one node, or of bodies from one particle, to the next. */
 static double spacing_of(const Settings *settings, int kind)
 {
@@ -176,6 +166,7 @@ static void shift(Laboratory *lab, const double by[2])
     const RowsShown *shown = &lab->parameters.rows;
     Settings *draft = lab->editing.draft;
     for (int axis = 0; axis < 2; axis++) {
+        const double extent = axis == 0 ? settings_geometry(draft)->length : settings_geometry(draft)->height;
         double way = by[axis];
         int columns[2][2];
         for (int end = 0; end < 2; end++) {
@@ -183,7 +174,7 @@ static void shift(Laboratory *lab, const double by[2])
             if (columns[end][axis] < 0 || (shown->end != end && shown->end != ROW_BOTH_ENDS))
                 continue;
             const double at = settings_row_value(draft, shown->kind, shown->row, columns[end][axis]);
-            way = fmin(fmax(way, -at), extent(draft, axis) - at);
+            way = fmin(fmax(way, -at), extent - at);
         }
         for (int end = 0; end < 2 && way != 0; end++)
             if (columns[end][axis] >= 0 && (shown->end == end || shown->end == ROW_BOTH_ENDS))
@@ -237,20 +228,6 @@ static void end_placing(Laboratory *lab)
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
 }
 
-static void take(Laboratory *lab)
-{
-    const RowsShown shown = lab->parameters.rows;
-    Status status = {STATUS_DONE, ""};
-    Settings settings = *lab->editing.draft;
-    end_placing(lab);
-    if (!apply(lab, &settings, &status)) {
-        lab->parameters.rows = shown;
-        laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
-        return;
-    }
-    select_row(lab, shown.kind, shown.row);
-}
-
 bool row_edit_key(Laboratory *lab, const char *key)
 {
     static const struct {
@@ -271,7 +248,16 @@ bool row_edit_key(Laboratory *lab, const char *key)
             return true;
         }
     if (strcmp(key, "Enter") == 0) {
-        take(lab);
+        const RowsShown placed = *shown;
+        Status status = {STATUS_DONE, ""};
+        Settings settings = *lab->editing.draft;
+        end_placing(lab);
+        if (edit_change(lab, &settings, experiment_edit, &status)) {
+            select_row(lab, placed.kind, placed.row);
+        } else {
+            *shown = placed;
+            laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
+        }
     } else if (strcmp(key, "Esc") == 0 || strcmp(key, "F10") == 0 || strcmp(key, "q") == 0) {
         end_placing(lab);
     } else if (strcmp(key, "Tab") == 0) {
@@ -383,7 +369,8 @@ void row_edit_delete(Laboratory *lab)
     snprintf(name, sizeof name, "%s", settings.rows[kind].rows[row].name);
     if (!row_kinds[kind].fresh)
         laboratory_tell(lab, "the %s stays: it can be moved", row_kinds[kind].one);
-    else if (!settings_row_remove(&settings, kind, name, &status) || !apply(lab, &settings, &status))
+    else if (!settings_row_remove(&settings, kind, name, &status) ||
+             !edit_change(lab, &settings, experiment_edit, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     else
         laboratory_tell(lab, "%s %s is gone; u brings it back", row_kinds[kind].one, name);

@@ -46,7 +46,6 @@ void command_show_sheet(Laboratory *, Sheet); /* kept from start to start, but b
 /* The map of a beam. */
 void command_map_whole(Screen *); /* ends it */
 void command_map_magnify(Screen *, int direction);
-void command_map_pan(Screen *, int x, int y);
 bool command_map_is_focused(const Screen *);
 void command_map_enlarge(Laboratory *, int direction); /* displacements; 0: automatic */
 

@@ -8,24 +8,20 @@
 #include <math.h>
 #include <string.h>
 
-/* In a duel the other answer is on screen already: skips to one that is not. */
-static bool is_second(const Laboratory *lab, const Settings *settings, const Parameter *parameter)
-{
-    const Experiment *second = lab->player.duel.b;
-    return second &&
-           settings_number(settings, parameter) == settings_number(experiment_settings(second), parameter);
-}
-
 /* Another run beside this one: what the scenario asks about holds from t = 0 on. */
 void command_question(Laboratory *lab)
 {
     Settings settings = *laboratory_settings(lab);
     const Settings before = settings;
     const Parameter *parameter = settings_question(&settings);
+    const Experiment *second = lab->player.duel.b;
     Status status = {STATUS_DONE, ""};
     if (!parameter || !settings_answer_otherwise(&settings, parameter))
         laboratory_tell(lab, "this scenario asks no question");
-    else if (is_second(lab, &settings, parameter) &&
+    /* in a duel the other answer is on screen already: on to one that is not */
+    else if (second &&
+             settings_number(&settings, parameter) ==
+                 settings_number(experiment_settings(second), parameter) &&
              (!settings_nudge(&settings, parameter, 1, false) || settings_same(&before, &settings)))
         laboratory_tell(lab, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
@@ -98,8 +94,7 @@ void command_undo(Laboratory *lab, int by)
 
 static bool begin(Laboratory *lab, const Assignment *keys, int n_keys, Status *status)
 {
-    const bool sound = duel_start(&lab->player.duel, keys, n_keys, status);
-    if (!sound)
+    if (!duel_start(&lab->player.duel, keys, n_keys, status))
         return false;
     player_forget_rates(&lab->player);
     lab->screen.time.cursor = NAN;
@@ -130,24 +125,20 @@ bool command_second_answer(Laboratory *lab, const char *words, Status *status)
     return n_keys > 0 && begin(lab, keys, n_keys, status);
 }
 
-static void suggest(Laboratory *lab, int direction)
-{
-    const int to = lab->prompting.suggestion + direction;
-    Assignment keys[DUEL_MAX];
-    if (to < 0 || duel_suggest(laboratory_settings(lab), to, keys) == 0)
-        return;
-    lab->prompting.suggestion = to;
-    char text[sizeof lab->prompting.shown.text];
-    duel_write_keys(keys, 1, text, sizeof text);
-    prompt_fill(&lab->prompting, text);
-}
-
 static bool duel_key(Laboratory *lab, const char *key)
 {
     const bool up = strcmp(key, "Up") == 0;
-    if (up || strcmp(key, "Down") == 0)
-        suggest(lab, up ? -1 : 1);
-    return up || strcmp(key, "Down") == 0;
+    const int to = lab->prompting.suggestion + (up ? -1 : 1);
+    Assignment keys[DUEL_MAX];
+    char text[sizeof lab->prompting.shown.text];
+    if (!up && strcmp(key, "Down") != 0)
+        return false;
+    if (to >= 0 && duel_suggest(laboratory_settings(lab), to, keys) > 0) {
+        lab->prompting.suggestion = to;
+        duel_write_keys(keys, 1, text, sizeof text);
+        prompt_fill(&lab->prompting, text);
+    }
+    return true;
 }
 
 static const Typing typing = {.key = duel_key, .offer = complete_assignments};

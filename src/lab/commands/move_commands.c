@@ -46,19 +46,28 @@ static void move_cursor(Laboratory *lab, int columns)
         screen->time.cursor = experiment_time(laboratory_run(lab));
     else
         screen->time.cursor += columns * column;
-    if (screen->time.cursor < from)
-        screen->time.cursor = from;
-    if (screen->time.cursor > to)
-        screen->time.cursor = to;
+    screen->time.cursor = fmin(fmax(screen->time.cursor, from), to);
+}
+
+static double limited(double value, double least, double most)
+{
+    return value < least ? least : value > most ? most : value;
 }
 
 static void move(Laboratory *lab, int x, int y, int page)
 {
+    const double share = 0.2; /* of what is seen of a map, for an arrow */
     Screen *screen = &lab->screen;
     const View *view = screen_view_in(screen, screen->panes.focus);
     const bool map = command_map_is_focused(&lab->screen);
     if (screen->eye.open && map) {
-        command_map_pan(&lab->screen, x, y);
+        const Settings *settings = laboratory_settings(lab);
+        const double stride = share / screen->eye.magnified;
+        screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
+        /* a pane is not as high as it is wide */
+        const double upwards = fmin(0.25, stride * settings_geometry(settings)->length /
+                                              settings_geometry(settings)->height / 2);
+        screen->eye.centre[1] = limited(screen->eye.centre[1] - y * upwards, 0, 1);
         return;
     }
     if ((screen->panes.focus == PANE_INSPECTOR || map) && inspector_move(screen, x, y, page))
@@ -211,7 +220,6 @@ void command_cancel(Laboratory *lab)
 
 #define FIRST_MAGNIFIED 4.0
 #define MOST_MAGNIFIED  1024.0
-#define STRIDE          0.2 /* of what is seen, for an arrow */
 
 /* The crack's tip is what there is to see of a beam that cracks; else the chosen node. */
 static void look_at_something(Screen *screen)
@@ -232,11 +240,6 @@ static void look_at_something(Screen *screen)
     }
 }
 
-static double limited(double value, double least, double most)
-{
-    return value < least ? least : value > most ? most : value;
-}
-
 void command_map_whole(Screen *screen)
 {
     screen->eye.open = false;
@@ -251,17 +254,6 @@ void command_map_magnify(Screen *screen, int direction)
     while (limit < most)
         limit *= 2;
     screen->eye.magnified = limited(wanted, 1, limit);
-}
-
-void command_map_pan(Screen *screen, int x, int y)
-{
-    const Settings *settings = screen_settings(screen);
-    const double stride = STRIDE / screen->eye.magnified;
-    screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
-    /* a pane is not as high as it is wide */
-    const double upwards =
-        fmin(0.25, stride * settings_geometry(settings)->length / settings_geometry(settings)->height / 2);
-    screen->eye.centre[1] = limited(screen->eye.centre[1] - y * upwards, 0, 1);
 }
 
 void command_map_zoom(Laboratory *lab)

@@ -8,10 +8,17 @@
 
 #include <math.h>
 
-/* The keys go where the view is: Enter and the arrows do what its help says. Beside a lesson they stay with
- * its page. */
-static void follow_view(Screen *screen, const View *view)
+void command_show_digit(Laboratory *lab, int digit)
 {
+    const View *view = view_of_digit(digit);
+    if (!view) {
+        laboratory_tell(lab, "no view has the key %d", digit);
+        return;
+    }
+    command_show_view(lab, view);
+    /* The keys go where the view is: Enter and the arrows do what its help says. Beside a lesson they stay
+     * with its page. */
+    Screen *screen = &lab->screen;
     PanesShown *panes = &screen->panes;
     const PaneId at = screen_view_in(screen, panes->focus) == view ? panes->focus
                       : screen->views.upper == view                ? PANE_UPPER
@@ -23,17 +30,6 @@ static void follow_view(Screen *screen, const View *view)
         return;
     panes->followed = true;
     panes->focus = at;
-}
-
-void command_show_digit(Laboratory *lab, int digit)
-{
-    const View *view = view_of_digit(digit);
-    if (view) {
-        command_show_view(lab, view);
-        follow_view(&lab->screen, view);
-    } else {
-        laboratory_tell(lab, "no view has the key %d", digit);
-    }
 }
 
 void command_show_view(Laboratory *lab, const View *view)

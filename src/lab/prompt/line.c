@@ -18,35 +18,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* --- what was entered before ------------------------------------------------------------------------ */
-
-static void remember(LineHistory *past, const char *text)
-{
-    if (past->count > 0 && strcmp(past->lines[past->count - 1], text) == 0)
-        return;
-    if (past->count == LINE_HISTORY_MAX) {
-        memmove(past->lines[0], past->lines[1], sizeof past->lines - sizeof past->lines[0]);
-        past->count--;
-    }
-    snprintf(past->lines[past->count++], sizeof past->lines[0], "%s", text);
-}
-
-static void recall(Prompting *prompting, int direction)
-{
-    LineHistory *past = &prompting->past;
-    Prompt *prompt = &prompting->shown;
-    const int to = past->at + direction;
-    if (to < 0 || to > past->count)
-        return;
-    if (past->at == past->count)
-        memcpy(past->unfinished, prompt->text, sizeof past->unfinished);
-    past->at = to;
-    memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
-    prompt->cursor = glyphs_count(prompt->text);
-    prompt->problem[0] = prompt->hint[0] = '\0';
-    prompting->fresh = false;
-}
-
 /* --- verbs ------------------------------------------------------------------------------------------ */
 
 /* Whether so many bytes mean a key, or several. */
@@ -258,36 +229,30 @@ static bool help_on(Laboratory *lab, const char *words, Status *status)
     return true;
 }
 
-/* "particle 12 velocity" of "velocity", where that is a field of the chosen thing. */
-static void name_thing(const Screen *screen, const char *words, char out[FOLLOW_TEXT_MAX])
-{
-    const Simulation *sim = screen_simulation(screen);
-    const bool node = screen->chosen.is_node && sim->n_sets > 1;
-    size_t word = strcspn(words, " ");
-    for (int set = 0; set < sim->n_sets; set++)
-        if (strlen(sim->sets[set].name) == word && strncmp(words, sim->sets[set].name, word) == 0)
-            word = 0;
-    if (word == 0)
-        snprintf(out, FOLLOW_TEXT_MAX, "%.63s", words);
-    else
-        snprintf(out, FOLLOW_TEXT_MAX, "%s %zu %.30s", sim->sets[node].name,
-                 node ? screen->chosen.node : screen->chosen.particle, words);
-}
-
 /* Its column is shown in the probe view. */
 static bool plot(Laboratory *lab, const char *words, Status *status)
 {
     Screen *screen = &lab->screen;
     Settings settings = *laboratory_settings(lab);
     char thing[FOLLOW_TEXT_MAX], *follow = settings_edit_output(&settings)->follow;
-    name_thing(screen, words, thing);
+    /* "particle 12 velocity" of "velocity", where that is a field of the chosen thing */
+    const Simulation *sim = laboratory_simulation(lab);
+    const bool node = screen->chosen.is_node && sim->n_sets > 1;
+    size_t word = strcspn(words, " ");
+    for (int set = 0; set < sim->n_sets; set++)
+        if (strlen(sim->sets[set].name) == word && strncmp(words, sim->sets[set].name, word) == 0)
+            word = 0;
+    if (word == 0)
+        snprintf(thing, sizeof thing, "%.63s", words);
+    else
+        snprintf(thing, sizeof thing, "%s %zu %.30s", sim->sets[node].name,
+                 node ? screen->chosen.node : screen->chosen.particle, words);
     if (!*words)
         memset(follow, 0, sizeof settings_output(&settings)->follow);
     else if (!text_list_add(follow, sizeof settings_output(&settings)->follow, thing))
         return status_refuse(status, "too many things are followed: plot alone ends them");
     if (!edit_change(lab, &settings, experiment_edit, status))
         return false;
-    const Simulation *sim = laboratory_simulation(lab);
     const View *view = view_named("probe");
     if (!*words) {
         view_choose_variant(view, screen, 0);
@@ -295,6 +260,7 @@ static bool plot(Laboratory *lab, const char *words, Status *status)
         return true;
     }
     command_show_view(lab, view);
+    sim = laboratory_simulation(lab);
     view_choose_variant(view, screen, variant_of(view, screen, sim->series[sim->n_series - 1].name) - 1);
     return true;
 }
@@ -321,7 +287,12 @@ static bool answer_line(Laboratory *lab, const char *text, Status *status)
         line[--end] = '\0';
     if (!*line)
         return true;
-    remember(&lab->prompting.past, line);
+    LineHistory *past = &lab->prompting.past;
+    if (past->count == 0 || strcmp(past->lines[past->count - 1], line) != 0) {
+        if (past->count == LINE_HISTORY_MAX)
+            memmove(past->lines[0], past->lines[1], (size_t)--past->count * sizeof past->lines[0]);
+        snprintf(past->lines[past->count++], sizeof past->lines[0], "%s", line);
+    }
     return line_run(lab, line, status);
 }
 
@@ -383,7 +354,18 @@ static bool line_key_of(Laboratory *lab, const char *key)
     const bool up = strcmp(key, "Up") == 0;
     if (!up && strcmp(key, "Down") != 0)
         return false;
-    recall(&lab->prompting, up ? -1 : 1);
+    LineHistory *past = &lab->prompting.past;
+    Prompt *prompt = &lab->prompting.shown;
+    const int to = past->at + (up ? -1 : 1);
+    if (to < 0 || to > past->count)
+        return true;
+    if (past->at == past->count)
+        memcpy(past->unfinished, prompt->text, sizeof past->unfinished);
+    past->at = to;
+    memcpy(prompt->text, to == past->count ? past->unfinished : past->lines[to], sizeof prompt->text);
+    prompt->cursor = glyphs_count(prompt->text);
+    prompt->problem[0] = prompt->hint[0] = '\0';
+    lab->prompting.fresh = false;
     return true;
 }
 

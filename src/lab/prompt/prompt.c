@@ -69,20 +69,16 @@ static void submit(Laboratory *lab, const char *text)
     prompting->fresh = typing && typing->retyped;
 }
 
-static void text_changed(Laboratory *lab, const char *key)
-{
-    if (lab->prompting.typing && lab->prompting.typing->typed)
-        lab->prompting.typing->typed(lab, key);
-}
-
 void prompt_key(Laboratory *lab, const Key *key)
 {
     Prompting *prompting = &lab->prompting;
     Prompt *prompt = &prompting->shown;
+    const Typing *typing = prompting->typing;
     const char *name = key->name;
+    bool changed = false;
     if (strcmp(name, "Tab") != 0)
         prompting->tabbed = 0;
-    if (prompting->typing && prompting->typing->key && prompting->typing->key(lab, name)) {
+    if (typing && typing->key && typing->key(lab, name)) {
         /* it meant something to this question alone */
     } else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0) {
         prompt_close(prompting);
@@ -98,12 +94,14 @@ void prompt_key(Laboratory *lab, const Key *key)
         submit(lab, text);
     } else if (strcmp(name, "Tab") == 0) {
         complete_tab(lab);
-        text_changed(lab, name);
+        changed = true;
     } else if (prompt_edit_line(prompt->text, sizeof prompt->text, &prompt->cursor, name, prompting->fresh)) {
         prompting->fresh = false;
         prompt->problem[0] = '\0';
-        text_changed(lab, name);
+        changed = true;
     }
+    if (changed && typing && typing->typed)
+        typing->typed(lab, name);
 }
 
 /* The keys of a one-line editor, those of Emacs among them. The cursor counts characters, the text is bytes.
@@ -135,16 +133,6 @@ static size_t offset(const char *text, int character)
     return at;
 }
 
-static void insert(char *text, size_t size, int *cursor, const char *what)
-{
-    size_t length = strlen(text), more = strlen(what), at = offset(text, *cursor);
-    if (length + more >= size)
-        return;
-    memmove(text + at + more, text + at, length - at + 1);
-    memcpy(text + at, what, more);
-    ++*cursor;
-}
-
 /* Removes the characters [first, last). */
 static void cut(char *text, int first, int last)
 {
@@ -165,7 +153,12 @@ bool prompt_edit_line(char *text, size_t size, int *cursor, const char *key, boo
             text[0] = '\0';
             *cursor = 0;
         }
-        insert(text, size, cursor, key);
+        const size_t length = strlen(text), more = strlen(key), at = offset(text, *cursor);
+        if (length + more < size) {
+            memmove(text + at + more, text + at, length - at + 1);
+            memcpy(text + at, key, more);
+            ++*cursor;
+        }
     } else if (strcmp(key, "Backspace") == 0) {
         if (*cursor > 0) {
             cut(text, *cursor - 1, *cursor);
