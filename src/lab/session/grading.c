@@ -198,9 +198,7 @@ static bool replay_session(const GradingTask *task, const Session *session, Grad
     close_grader(grader);
     if (given_up || in_want)
         return status_fail(status, "%s", in_want ? why.text : "interrupted");
-    if (!done)
-        return remark(grades, "it takes too long to replay");
-    return true;
+    return done || remark(grades, "it takes too long to replay");
 }
 
 bool grading_session(const GradingTask *task, const char *file, Grades *grades, Status *status)
@@ -239,20 +237,6 @@ void grading_origin(const Lesson *lesson, const char *file, GradingOrigin *origi
 }
 
 /* --- the key ---------------------------------------------------------------------------------------- */
-
-/* Goes to a page, until its state is reached. */
-static bool turn_to(Grader *grader, int page, Status *status)
-{
-    Laboratory *lab = &grader->lab;
-    bool goes_on = draw(grader, 80, 24, status);
-    lesson_entry_show(lab, page);
-    player_pause(lab);
-    while (goes_on && (lab->player.playback.state == STATE_COMPUTING || lab->play.arriving))
-        goes_on = frame(grader);
-    if (!goes_on)
-        return *status->text || status_fail(status, "page %d takes too long", page + 1);
-    return !*lab->play.refused || status_refuse(status, "page %d: %s", page + 1, lab->play.refused);
-}
 
 /* The way that the lesson knows, to the end of its run. */
 static bool solve(Grader *grader, const LessonPage *page, Grade *grade, Status *status)
@@ -325,10 +309,19 @@ static bool differs_from_neighbours(Grader *grader, const Grade *grade, double r
 
 static bool answer_page(Grader *grader, Grade *grade, Status *status)
 {
-    if (!turn_to(grader, grade->page, status))
-        return false;
-    const LessonPage *page = lesson_entry_page(&grader->lab);
-    const Settings *settings = &grader->lab.play.run.entered;
+    /* to the page, until its state is reached */
+    Laboratory *lab = &grader->lab;
+    bool goes_on = draw(grader, 80, 24, status);
+    lesson_entry_show(lab, grade->page);
+    player_pause(lab);
+    while (goes_on && (lab->player.playback.state == STATE_COMPUTING || lab->play.arriving))
+        goes_on = frame(grader);
+    if (!goes_on)
+        return !*status->text && status_fail(status, "page %d takes too long", grade->page + 1);
+    if (*lab->play.refused)
+        return status_refuse(status, "page %d: %s", grade->page + 1, lab->play.refused);
+    const LessonPage *page = lesson_entry_page(lab);
+    const Settings *settings = &lab->play.run.entered;
     double right;
     switch (lesson_exercise(page)) {
     case EXERCISE_CHOICE:
