@@ -23,6 +23,7 @@
 #include <stdbool.h>
 
 #define FRAME_SECONDS 0.033 /* a frame is at most that long, so a key is answered within it */
+#define QUIET_SECONDS 0.15  /* work that takes no longer is not worth a picture that reports it */
 
 typedef struct Session Session;
 
@@ -93,7 +94,7 @@ struct Laboratory {
     int width, height; /* of the picture, for focus and mouse */
     bool focus_lent;   /* to the lower plot, while there is no room for all panes */
     double said_at;    /* when the message came */
-    double built_at;   /* when the building of a simulation began */
+    double work_since; /* when work that is not cut into frames began */
 };
 
 /* The run that keys and edits act on; the screen has a const view of it. NULL while the laboratory opens. */

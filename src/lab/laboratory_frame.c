@@ -36,28 +36,10 @@ static long chunk(double rate, long wanted, double time_left)
     return steps < 1 ? 1 : steps > (double)wanted ? wanted : (long)steps;
 }
 
-/* How fast the engine is: a running mean over pieces, so that one hiccup does not count. */
-static void learn_rate(double *known, long steps, double seconds)
-{
-    /* of a piece too short for the clock only a bound is known */
-    double rate = seconds > 0 ? (double)steps / seconds : 8 * (double)steps / CHUNK_SECONDS;
-    if (*known <= 0 || seconds <= 0)
-        *known = rate > *known ? rate : *known;
-    else
-        *known = 0.7 * *known + 0.3 * rate;
-}
-
 /* What the next step will take. */
 static double step_seconds(double rate)
 {
     return rate > 0 ? 1 / rate : 0;
-}
-
-/* Whether steps may be done whole: not the first one, of which nothing is known, nor those that leave no room
- * in a frame. */
-static bool steps_are_short(double rate)
-{
-    return rate > 0 && step_seconds(rate) < STEP_SHARE * FRAME_SECONDS;
 }
 
 static bool key_waits(const Host *host)
@@ -71,7 +53,8 @@ static long work(Laboratory *lab, bool (*verb)(Duel *, Effort, bool *, Status *)
                  double deadline, bool *sound, Status *status)
 {
     Player *player = &lab->player;
-    const bool in_parts = player->in_parts || !steps_are_short(*rate);
+    /* not whole are the first one, of which nothing is known, and those that leave no room in a frame */
+    const bool in_parts = player->in_parts || *rate <= 0 || step_seconds(*rate) >= STEP_SHARE * FRAME_SECONDS;
     /* all of a step may be in one stage */
     const Effort effort = {.steps = in_parts ? 1 : steps,
                            .share = !in_parts   ? 0
@@ -90,7 +73,11 @@ static long work(Laboratory *lab, bool (*verb)(Duel *, Effort, bool *, Status *)
     player->in_parts = *sound && !whole;
     if (player->in_parts)
         return 0;
-    learn_rate(rate, effort.steps, player->part_seconds);
+    /* How fast the engine is: a running mean over pieces, so that one hiccup does not count; of a piece too
+     * short for the clock only a bound is known. */
+    const double seconds = player->part_seconds, steps_done = (double)effort.steps;
+    const double now = seconds > 0 ? steps_done / seconds : 8 * steps_done / CHUNK_SECONDS;
+    *rate = *rate <= 0 || seconds <= 0 ? fmax(now, *rate) : 0.7 * *rate + 0.3 * now;
     player->part_seconds = 0;
     return effort.steps;
 }

@@ -78,16 +78,13 @@ void opening_name(Laboratory *lab, const char *name)
     lab->screen.scenario = lab->scenario;
 }
 
-/* Building that takes no longer is not reported. */
-#define BUILDING_SECONDS 0.15
-
 static bool show_building(double share, void *context)
 {
     Laboratory *lab = context;
     double now = lab->host.now(lab->host.context);
     if (share <= 0)
-        lab->built_at = now;
-    if (!lab->given_up && now < lab->built_at + BUILDING_SECONDS)
+        lab->work_since = now;
+    if (!lab->given_up && now < lab->work_since + QUIET_SECONDS)
         return true;
     /* before there is a screen the terminal hands on ^C alone */
     return laboratory_work(lab, "building the run: %d %%   %s cancels", (int)(100 * share),
@@ -252,7 +249,8 @@ void opening_ask(Laboratory *lab)
         const size_t length = strlen(name);
         const bool named = length >= 5 && strcmp(name + length - 4, ".ini") == 0 &&
                            !(length > 8 && strcmp(name + length - 8, ".csv.ini") == 0);
-        if (named && stat(name, &file) == 0 && S_ISREG(file.st_mode) && scenario_load(name, settings, &ignored))
+        if (named && stat(name, &file) == 0 && S_ISREG(file.st_mode) &&
+            scenario_load(name, settings, &ignored))
             offer(list, name, settings->title);
         free(names[i]);
     }

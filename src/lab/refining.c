@@ -30,20 +30,18 @@ typedef struct Waiting {
     Laboratory *lab;
     const ConvergenceStudy *study;
     int point, count;
-    double begun;
     bool for_key, stopped;
 } Waiting;
 
 static bool wait_for_point(double share, void *context)
 {
-    const double quiet_seconds = 0.15; /* what takes no longer is not worth a picture */
     Waiting *waiting = context;
     Laboratory *lab = waiting->lab;
     const Host *host = &lab->host;
     waiting->for_key = host->key_waits && host->key_waits(host->context);
     if (waiting->for_key)
         return false;
-    if (host->now(host->context) < waiting->begun + quiet_seconds)
+    if (host->now(host->context) < lab->work_since + QUIET_SECONDS)
         return true;
     laboratory_tell(lab, "%s: point %d of %d, %d %%   ^C stops", waiting->study->title, waiting->point,
                     waiting->count, (int)(100 * share));
@@ -62,7 +60,7 @@ void refining_work(Laboratory *lab)
     convergence_begin(&lab->refining.convergence, settings);
     waiting.point = 1 + convergence_known(&lab->refining.convergence, settings, waiting.study, &points);
     waiting.count = convergence_count(waiting.study, settings);
-    waiting.begun = lab->host.now(lab->host.context);
+    lab->work_since = lab->host.now(lab->host.context);
     const Cancel cancel = {wait_for_point, &waiting};
     if (convergence_next(&lab->refining.convergence, waiting.study, cancel, &status)) {
         if (lab->message.kind == MESSAGE_INFO && waiting.point == waiting.count)

@@ -176,11 +176,6 @@ enum {
     PLOT_WANTED = 8 /* the text closes up for them */
 };
 
-static bool is_plot(PaneId pane)
-{
-    return pane == PANE_UPPER || pane == PANE_LOWER;
-}
-
 /* Text above; below it the pane that has the focus or, while the text has it, what the page speaks of. False:
  * the text leaves no room. */
 static bool lay_out_page(const Screen *screen, int width, int height, Layout *layout)
@@ -412,14 +407,15 @@ Layout layout_make(const Screen *screen, int width, int height)
     if (whole || !roomy || !screen->lesson->open || !screen->lesson->lesson ||
         !lay_out_page(screen, width, height, &layout)) {
         const RunState state = screen->playback->state;
+        const bool plot = screen_view_in(screen, focus) != NULL;
         const bool numbers = experiment_stage(screen->experiment) > 0 || state == STATE_ENDED ||
                              state == STATE_FAILED || screen_second_run(screen); /* that no plot has */
-        const bool box = !whole && roomy && (is_plot(focus) || focus == PANE_MESH) && numbers;
+        const bool box = !whole && roomy && (plot || focus == PANE_MESH) && numbers;
         const int rows = height - 2 - (box ? BOX_ROWS : 0);
         layout.panes[focus] = (Rect){0, 1, width, rows};
         if (box)
             layout.panes[PANE_BOX] = (Rect){0, 1 + rows, width, BOX_ROWS};
-        if (!whole && width >= PAIR_WIDTH && height >= PAIR_HEIGHT && is_plot(focus)) {
+        if (!whole && width >= PAIR_WIDTH && height >= PAIR_HEIGHT && plot) {
             layout.panes[PANE_UPPER] = (Rect){0, 1, width, rows / 2};
             layout.panes[PANE_LOWER] = (Rect){0, 1 + rows / 2, width, rows - rows / 2};
         }

@@ -60,21 +60,6 @@ static void hint_of(const Screen *screen, char *out, size_t size)
     snprintf(out, size, "%s", i < n_hints ? hints[i].text : "");
 }
 
-/* What else there is, for who has not asked for it yet. */
-static void draw_offers(const Screen *screen, Area area, int y, int begin)
-{
-    static const struct {
-        CommandId id;
-        const char *text;
-    } offers[] = {{COMMAND_LESSONS, "T lessons"}, {COMMAND_OPEN, "o scenarios"}};
-    char text[64] = "";
-    for (size_t i = 0; i < sizeof offers / sizeof *offers; i++)
-        if (!command_set_has(screen->used, offers[i].id))
-            text_append(text, sizeof text, "%s%s", text[0] ? "  " : "New here?  ", offers[i].text);
-    if (begin + 2 + glyphs_columns(text) < area.rect.width)
-        area_text_right(area, area.rect.width - 1, y, text, STYLE_NORMAL);
-}
-
 /* "Solid measured, dotted exact (continuum)" as the plots over time draw them; in brief without what stands
  * in brackets. A bit for each style of line that is drawn. */
 static unsigned line_words(const Screen *screen, bool brief, char *out, size_t size)
@@ -121,18 +106,6 @@ static void drop_sentences(char *text, const char *word)
         to += length;
     }
     *to = '\0';
-}
-
-/* Cuts a text to the whole sentences that fit; the help has all of it. */
-static void keep_sentences(char *text, int width, int rows)
-{
-    size_t end = strlen(text);
-    while (end > 0 && area_paragraph_lines(width, text) > rows) {
-        do
-            end--;
-        while (end > 0 && !(strchr(".?!", text[end - 1]) && text[end] == ' '));
-        text[end] = '\0';
-    }
 }
 
 /* " 4200 steps/s, about 9 s left ": known after the first frames, for pace and machine as they are, up to
@@ -212,8 +185,15 @@ static void draw_caption(const Screen *screen, Area area)
     const int needed = has_news ? area_paragraph_lines(width, news) : 0;
     if (!screen->lesson->open && last > y && needed < last) { /* what happens comes whole before any hint */
         hint_of(screen, hint, sizeof hint);
-        const int end = 1 + area_text(area, 1, last, hint, STYLE_FAINT);
-        draw_offers(screen, area, last--, hint[0] ? end : 0);
+        const int begin = area_text(area, 1, last, hint, STYLE_FAINT);
+        /* what else there is, for who has not asked for it yet */
+        const bool lessons = !command_set_has(screen->used, COMMAND_LESSONS);
+        const char *offer = command_set_has(screen->used, COMMAND_OPEN)
+                                ? (lessons ? "New here?  T lessons" : "")
+                                : (lessons ? "New here?  T lessons  o scenarios" : "New here?  o scenarios");
+        if ((hint[0] ? 1 + begin : 0) + 2 + glyphs_columns(offer) < area.rect.width)
+            area_text_right(area, area.rect.width - 1, last, offer, STYLE_NORMAL);
+        last--;
     }
     if (!in_heading && last - needed >= y)
         y += area_paragraph(area, 1, y, width, last - needed - y + 1, lines, STYLE_NORMAL);
@@ -229,7 +209,14 @@ static void draw_caption(const Screen *screen, Area area)
         drop_sentences(about, "otted");
     if (!(drawn >> LINE_DASHED & 1))
         drop_sentences(about, "ashed");
-    keep_sentences(about, width, last - y + 1);
+    /* the whole sentences that fit; the help has all of it */
+    size_t end = strlen(about);
+    while (end > 0 && area_paragraph_lines(width, about) > last - y + 1) {
+        do
+            end--;
+        while (end > 0 && !(strchr(".?!", about[end - 1]) && about[end] == ' '));
+        about[end] = '\0';
+    }
     if (about[0])
         area_paragraph(area, 1, y, width, last - y + 1, about, STYLE_NORMAL);
 }

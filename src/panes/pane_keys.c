@@ -221,8 +221,6 @@ CommandId screen_key_command(const Screen *screen, int width, int x)
     return lay_out_bar(screen, width, NULL, x);
 }
 
-enum { EDIT_HINT_COLUMN = 31 };
-
 /* What was refused, and why, in full: it takes as many lines as it needs, the last one at row y of the bar's
  * area (row -1 lies above it). Returns how many. */
 static int draw_notice(Area bar, int y, const char *text, Style style)
@@ -300,28 +298,9 @@ static void draw_prompt(const Screen *screen, Area area)
     pane_field(area_part(area, x, 0, area.rect.width - x - 1, 1), prompt->text, prompt->cursor);
 }
 
-/* The keys; beside a field under edit, what it is and what it may be. */
-static void draw_keys(const Screen *screen, Area area)
-{
-    lay_out_bar(screen, area.rect.width, &area, -1);
-    ParameterRow row;
-    if (!screen->parameters->edit.open || !screen_chosen_row(screen, &row) || !row.parameter)
-        return;
-    const Parameter *parameter = row.parameter;
-    char range[96], text[320];
-    const Problem *problem = screen_settings(screen)->problem;
-    parameter_range(parameter, problem, range, sizeof range);
-    const char *unit = problem->si ? parameter->unit : "";
-    snprintf(text, sizeof text, "%s (%s%s%s): %s", parameter->key, range, *unit ? " " : "", unit,
-             parameter_in(parameter, problem).help);
-    if (EDIT_HINT_COLUMN + glyphs_columns(text) < area.rect.width)
-        area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
-    else
-        draw_notice(area, -1, text, STYLE_TITLE);
-}
-
 void pane_keys(const Screen *screen, Area area)
 {
+    enum { EDIT_HINT_COLUMN = 31 };
     static const Style styles[] = {
         [MESSAGE_NONE] = STYLE_TITLE,
         [MESSAGE_INFO] = STYLE_TITLE,
@@ -335,8 +314,24 @@ void pane_keys(const Screen *screen, Area area)
         draw_notice(area, 0, screen->parameters->edit.problem, STYLE_ERROR);
     else if (screen->message->kind != MESSAGE_NONE && screen->message->text[0])
         draw_notice(area, 0, screen->message->text, styles[screen->message->kind]);
-    else
-        draw_keys(screen, area);
+    else {
+        ParameterRow row;
+        lay_out_bar(screen, area.rect.width, &area, -1);
+        if (screen->parameters->edit.open && screen_chosen_row(screen, &row) && row.parameter) {
+            /* beside the keys, what the field under edit is and what it may be */
+            const Parameter *parameter = row.parameter;
+            const Problem *problem = screen_problem(screen);
+            const char *unit = problem->si ? parameter->unit : "";
+            char range[96], text[320];
+            parameter_range(parameter, problem, range, sizeof range);
+            snprintf(text, sizeof text, "%s (%s%s%s): %s", parameter->key, range, *unit ? " " : "", unit,
+                     parameter_in(parameter, problem).help);
+            if (EDIT_HINT_COLUMN + glyphs_columns(text) < area.rect.width)
+                area_text(area, EDIT_HINT_COLUMN, 0, text, STYLE_TITLE);
+            else
+                draw_notice(area, -1, text, STYLE_TITLE);
+        }
+    }
     if (screen->offers_lesson && !screen_is_plain(screen))
         draw_notice(area, -1, "First time here?  Enter begins the first lesson.  Any other key goes on.",
                     STYLE_SELECTED);

@@ -13,8 +13,6 @@
 
 /* --- where panes lie --- */
 
-typedef struct ScenarioList ScenarioList; /* panes/entry.h */
-
 typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
 
 /* From here on large digits are twice as large; in a lecture they are larger from LECTURE_HEIGHT on. */

@@ -49,11 +49,6 @@ static void move_cursor(Laboratory *lab, int columns)
     screen->time.cursor = fmin(fmax(screen->time.cursor, from), to);
 }
 
-static double limited(double value, double least, double most)
-{
-    return value < least ? least : value > most ? most : value;
-}
-
 static void move(Laboratory *lab, int x, int y, int page)
 {
     const double share = 0.2; /* of what is seen of a map, for an arrow */
@@ -63,11 +58,11 @@ static void move(Laboratory *lab, int x, int y, int page)
     if (screen->eye.open && map) {
         const Settings *settings = laboratory_settings(lab);
         const double stride = share / screen->eye.magnified;
-        screen->eye.centre[0] = limited(screen->eye.centre[0] + x * stride, 0, 1);
+        screen->eye.centre[0] = fmin(fmax(screen->eye.centre[0] + x * stride, 0), 1);
         /* a pane is not as high as it is wide */
         const double upwards = fmin(0.25, stride * settings_geometry(settings)->length /
                                               settings_geometry(settings)->height / 2);
-        screen->eye.centre[1] = limited(screen->eye.centre[1] - y * upwards, 0, 1);
+        screen->eye.centre[1] = fmin(fmax(screen->eye.centre[1] - y * upwards, 0), 1);
         return;
     }
     if ((screen->panes.focus == PANE_INSPECTOR || map) && inspector_move(screen, x, y, page))
@@ -253,7 +248,7 @@ void command_map_magnify(Screen *screen, int direction)
     double limit = 1; /* the next power of 2 */
     while (limit < most)
         limit *= 2;
-    screen->eye.magnified = limited(wanted, 1, limit);
+    screen->eye.magnified = fmin(fmax(wanted, 1), limit);
 }
 
 void command_map_zoom(Laboratory *lab)

@@ -42,17 +42,10 @@ void lesson_judge_say(Laboratory *lab, bool right, const char *format, ...)
 
 /* --- the right number ------------------------------------------------------------------------------- */
 
-typedef struct Waiting {
-    Laboratory *lab;
-    double begun;
-} Waiting;
-
 static bool wait_for_run(double share, void *context)
 {
-    const double quiet_seconds = 0.15; /* what takes no longer is not worth a picture */
-    const Waiting *waiting = context;
-    Laboratory *lab = waiting->lab;
-    if (!lab->given_up && lab->host.now(lab->host.context) < waiting->begun + quiet_seconds)
+    Laboratory *lab = context;
+    if (!lab->given_up && lab->host.now(lab->host.context) < lab->work_since + QUIET_SECONDS)
         return true;
     return laboratory_work(lab, "checking your answer: %d %%   ^C cancels", (int)(100 * share));
 }
@@ -68,10 +61,9 @@ static bool summary_before(const Exercise *exercise, const Settings *entered, Ru
 bool lesson_judge_run(Laboratory *lab, const Settings *of, RunSummary *summary, Status *status)
 {
     Settings settings = *of;
-    Waiting waiting = {lab, lab->host.now(lab->host.context)};
-    settings.cancel = (Cancel){wait_for_run, &waiting};
-    return export_run(&settings, &(Outputs){0}, lab->options.threads, wait_for_run, &waiting, summary,
-                      status);
+    lab->work_since = lab->host.now(lab->host.context);
+    settings.cancel = (Cancel){wait_for_run, lab};
+    return export_run(&settings, &(Outputs){0}, lab->options.threads, wait_for_run, lab, summary, status);
 }
 
 bool lesson_judge_value(const Laboratory *lab, const Settings *settings, const RunSummary *summary,
