@@ -2,8 +2,6 @@
 /* The parameter pane: choosing, nudging and editing in place. */
 #include "lab/laboratory.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
-#include "lab/prompt/prompt.h"
 #include "base/text.h"
 
 #include <math.h>

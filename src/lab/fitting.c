@@ -3,7 +3,6 @@
  * search of answers/fit_search.h), and a diagnosis. */
 #include "lab/laboratory.h"
 
-#include "scenario/settings.h"
 #include "base/text.h"
 #include "answers/fit_search.h"
 #include "scenario/parameters.h"

@@ -2,9 +2,6 @@
 /* Opening, drawing and closing the laboratory. */
 #include "lab/laboratory.h"
 #include "views/view.h"
-#include "scenario/settings.h"
-#include "lab/prompt/prompt.h"
-#include "panes/screen.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,9 +4,7 @@
 #include "lab/laboratory.h"
 
 #include "base/visible.h"
-#include "lab/edit.h"
 #include "lab/session/session.h"
-#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opening the laboratory and other scenarios in it: what a run is begun with, and at which pace. */
-#include "lab/laboratory.h"
-#include "panes/screen.h"
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
 #include "lab/commands/commands.h"
 #include "base/visible.h"
 #include "scenario/scenario.h"

@@ -4,11 +4,9 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
-#include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "base/text.h"
 #include "views/view.h"
-#include "panes/screen.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,6 @@
  * we are back in time. */
 #include "panes/panes.h"
 #include "scenario/concern_body.h"
-#include "scenario/settings.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"

@@ -3,7 +3,6 @@
 #include "lessons/lesson_shown.h"
 #include "panes/panes.h"
 #include "run/playback.h"
-#include "scenario/settings.h"
 #include "views/view.h"
 
 #include <stdio.h>

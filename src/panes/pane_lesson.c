@@ -3,7 +3,6 @@
  * and in the last row what is to be done to go on. */
 #include "panes/panes.h"
 #include "lessons/lesson_shown.h"
-#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>

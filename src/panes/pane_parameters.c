@@ -4,7 +4,6 @@
 #include "panes/panes.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
-#include "base/text.h"
 #include "lessons/lesson_shown.h"
 
 #include <ctype.h>

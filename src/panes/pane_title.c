@@ -3,7 +3,6 @@
 #include "panes/panes.h"
 #include "scenario/concern_cells.h"
 #include "scenario/settings.h"
-#include "base/text.h"
 #include "lessons/lesson_shown.h"
 #include "run/playback.h"
 #include "run/duel.h"

@@ -2,7 +2,6 @@
 /* A view in its pane: its picture in cells, of two runs as it likes; and what keys and the mouse find there,
  * which the picture says, whichever view it is of. */
 #include "panes/panes.h"
-#include "picture/cells/cells.h"
 #include "views/inspector/inspector.h"
 #include "views/view.h"
 #include "lessons/lesson_shown.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The whole screen: each pane drawn where the layout puts it, and what the mouse finds in the plot panes. */
-#include "panes/screen.h"
 
-#include "base/text.h"
 #include "lessons/lesson_shown.h"
 #include "panes/panes.h"
 #include "run/playback.h"

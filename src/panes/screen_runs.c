@@ -5,7 +5,6 @@
 
 #include "base/math/functions.h"
 #include "base/text.h"
-#include "panes/entry.h"
 #include "run/duel.h"
 #include "run/playback.h"
 #include "scenario/concern_time.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that set runs beside each other, undo and redo. */
 #include "lab/commands/commands.h"
-#include "scenario/settings.h"
-#include "lab/laboratory.h"
 
 #include <stdio.h>
 #include <math.h>

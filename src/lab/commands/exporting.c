@@ -3,13 +3,10 @@
 #include "lab/laboratory.h"
 #include "scenario/concern_output.h"
 #include "export/export.h"
-#include "lab/commands/exporting.h"
 #include "base/text.h"
 #include "picture/paper/figure_file.h"
 #include "views/view.h"
 #include "scenario/concern_time.h"
-#include "scenario/settings.h"
-#include "base/output.h"
 #include "scenario/scenario.h"
 
 #include <stdio.h>

@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that move: panes, rows, cursors, the inspector; Enter and Esc. */
-#include "lab/laboratory.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_output.h"
-#include "scenario/settings.h"
-#include "base/math/functions.h"
 #include "base/text.h"
 #include "views/view.h"
 #include "lab/commands/commands.h"
-#include "lab/edit.h"
 #include "views/inspector/inspector.h"
-#include "panes/screen.h"
 #include "views/plots/plots.h"
 
 #include <stdio.h>

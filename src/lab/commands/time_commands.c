@@ -4,7 +4,6 @@
 #include "lab/commands/commands.h"
 #include "scenario/concern_time.h"
 #include "base/text.h"
-#include "panes/screen.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that choose what is shown, and how. */
 #include "lab/commands/commands.h"
-#include "panes/screen.h"
 #include "views/view.h"
 #include "lab/session/state_file.h"
 #include "views/plots/plots.h"

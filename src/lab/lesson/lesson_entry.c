@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state in which a page of a lesson is entered, and its goal. */
-#include "lab/lesson/lesson_play.h"
 
 #include "base/assertion.h"
 #include "lab/laboratory.h"
-#include "scenario/settings.h"
 
 #include <math.h>
 #include <stdio.h>

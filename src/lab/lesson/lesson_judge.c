@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Calculates what is right and holds runs against goals (lesson_play.h). */
-#include "lab/lesson/lesson_play.h"
 
 #include "export/export.h"
-#include "scenario/settings.h"
 #include "answers/summary.h"
 #include "scenario/parameters.h"
 #include "lab/laboratory.h"

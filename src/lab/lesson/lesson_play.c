@@ -2,10 +2,7 @@
 /* Lessons: pages beside the run, and what the laboratory does when one is opened. */
 #include "lab/laboratory.h"
 #include "panes/panes.h"
-#include "lab/prompt/prompt.h"
 #include "lab/session/state_file.h"
-#include "panes/screen.h"
-#include "base/text.h"
 
 #include <stdio.h>
 #include <string.h>

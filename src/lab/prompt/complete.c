@@ -2,7 +2,6 @@
 /* Tab in a question: what has been typed is completed as far as it is certain, else what there is is shown.
  */
 #include "lab/laboratory.h"
-#include "scenario/settings.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "scenario/scenario.h"

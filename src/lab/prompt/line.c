@@ -1,18 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line behind `:`: commands by name, KEY=VALUE, a time, and verbs that take arguments. */
 #include "panes/panes.h"
-#include "lab/prompt/prompt.h"
-#include "lab/laboratory.h"
 #include "scenario/concern_output.h"
 #include "scenario/scenario.h"
-#include "scenario/settings.h"
 #include "scenario/rows/rows.h"
 #include "lab/commands/commands.h"
-#include "lab/commands/exporting.h"
-#include "lab/edit.h"
 #include "picture/words/tell.h"
 #include "views/view.h"
-#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>

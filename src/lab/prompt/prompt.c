@@ -3,7 +3,6 @@
 #include "lab/laboratory.h"
 
 #include "base/visible.h"
-#include "lab/prompt/prompt.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -4,12 +4,10 @@
 #include "lab/session/grading.h"
 #include "base/wait.h"
 
-#include "scenario/settings.h"
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
 #include "lab/session/script.h"
 #include "lab/session/session_internal.h"
-#include "picture/canvas.h"
 
 #include <math.h>
 #include <stdio.h>

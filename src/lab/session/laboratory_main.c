@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the words of the command line to a laboratory on its host, with the session that is kept of it. */
-#include "lab/session/laboratory_main.h"
 
-#include "base/output.h"
 #include "lab/laboratory.h"
 #include "terminal/terminal.h"
 #include "lab/session/script.h"

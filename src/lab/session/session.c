@@ -4,9 +4,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "base/visible.h"
-#include "base/output.h"
 #include "scenario/scenario.h"
-#include "scenario/scenario_lines.h"
 #include "lab/laboratory.h"
 
 #include <inttypes.h>

@@ -9,7 +9,6 @@
 #include "scenario/parameters.h"
 #include "scenario/scenario.h"
 #include "scenario/scenario_lines.h"
-#include "lessons/lesson_shown.h"
 
 #include <stdlib.h>
 #include <string.h>
