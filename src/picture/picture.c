@@ -11,12 +11,7 @@
 
 void picture_open(Picture *picture, int columns, int rows, int across, int dots)
 {
-    *picture = (Picture){.columns = columns,
-                         .rows = rows,
-                         .across = across,
-                         .dots = across * dots,
-                         .step = -1,
-                         .body = {columns - 2, rows - 2}};
+    *picture = (Picture){columns, rows, across, across * dots, {columns - 2, rows - 2}, .step = -1};
 }
 
 bool picture_is_low(const Picture *picture)
@@ -120,13 +115,7 @@ PictureList *picture_list(Picture *picture, int set, size_t count, size_t chosen
     PictureList *list = calloc(1, sizeof *list + cells + heads + rows * sizeof *list->names);
     if (!list)
         return NULL;
-    *list = (PictureList){.set = set,
-                          .count = count,
-                          .chosen = chosen,
-                          .first = first,
-                          .rows = rows,
-                          .n_columns = n_columns,
-                          .chosen_column = -1};
+    *list = (PictureList){set, count, chosen, first, rows, .n_columns = n_columns, .chosen_column = -1};
     list->cells = (PictureCell *)(list + 1);
     list->columns = (PictureColumn *)(list->cells + columns * rows);
     list->names = (char(*)[48])(list->columns + columns);

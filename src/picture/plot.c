@@ -28,13 +28,8 @@ void plot_begin(Plot *plot, StrokeKind kind, Pen pen)
 {
     if (plot->n_strokes == STROKES_MAX)
         return;
-    plot->strokes[plot->n_strokes++] = (Stroke){.kind = kind,
-                                                .line = pen.line,
-                                                .style = pen.style,
-                                                .rank = pen.rank,
-                                                .fill = pen.fill,
-                                                .letter = pen.letter,
-                                                .first = plot->n_points};
+    plot->strokes[plot->n_strokes++] =
+        (Stroke){kind, pen.line, pen.style, pen.rank, pen.fill, pen.letter, .first = plot->n_points};
 }
 
 void plot_point(Plot *plot, double x, double y)

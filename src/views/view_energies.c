@@ -40,10 +40,11 @@ static double stack_height(const Stack *stack, size_t index, int upto)
     return sum;
 }
 
-static void add_layer(Stack *stack, const char *name, int column, int minus, Style style)
+static void add_layer(const Screen *screen, Stack *stack, const char *name, const char *column, Style style)
 {
-    if (column >= 0) {
-        stack->layers[stack->count] = (Layer){name, column, minus, -1, style, stack->count};
+    const int at = experiment_column(screen->experiment, column);
+    if (at >= 0) {
+        stack->layers[stack->count] = (Layer){name, at, -1, -1, style, stack->count};
         stack->count++;
     }
 }
@@ -76,34 +77,30 @@ static Stack stack_of(const Screen *screen)
 {
     Stack stack = {.record = experiment_record(screen->experiment)};
     if (rigid_energy(screen->experiment) > 0) {
-        add_layer(&stack, "strain, for travel dwarfs the rest",
-                  experiment_column(screen->experiment, "strain"), -1, STYLE_EXACT);
+        add_layer(screen, &stack, "strain, for travel dwarfs the rest", "strain", STYLE_EXACT);
         return stack;
     }
-    const int kinetic = experiment_column(screen->experiment, "kinetic"),
-              grid = experiment_column(screen->experiment, "kinetic_grid");
-    const int null = null_column(screen);
+    const int grid = experiment_column(screen->experiment, "kinetic_grid"), null = null_column(screen);
     if (grid >= 0) {
-        add_layer(&stack, "grid", grid, -1, STYLE_MEASURED);
-        add_layer(&stack, "lumping", kinetic, grid, STYLE_SECOND);
-        if (null >= 0) {
-            stack.layers[stack.count - 1].less = null;
-            add_layer(&stack, "null", null, -1, STYLE_THIRD);
-        }
-    } else {
-        add_layer(&stack, "kinetic", kinetic, -1, STYLE_MEASURED);
-    }
-    add_layer(&stack, "strain", experiment_column(screen->experiment, "strain"), -1, STYLE_EXACT);
+        add_layer(screen, &stack, "grid", "kinetic_grid", STYLE_MEASURED);
+        add_layer(screen, &stack, "lumping", "kinetic", STYLE_SECOND);
+        stack.layers[stack.count - 1].minus = grid;
+        stack.layers[stack.count - 1].less = null;
+        if (null >= 0)
+            add_layer(screen, &stack, "null", "kinetic_null", STYLE_THIRD);
+    } else
+        add_layer(screen, &stack, "kinetic", "kinetic", STYLE_MEASURED);
+    add_layer(screen, &stack, "strain", "strain", STYLE_EXACT);
     if (grid >= 0 || screen_has(screen, HAS_BREAKING))
-        add_layer(&stack, "dissipated", experiment_column(screen->experiment, "dissipated"), -1, STYLE_THIRD);
+        add_layer(screen, &stack, "dissipated", "dissipated", STYLE_THIRD);
     /* on a tilted floor it has no least value */
     const Settings *settings = screen_settings(screen);
     const Loads *loads = settings_loads(settings);
     if (loads->gravity > 0 && loads->incline == 0)
-        add_layer(&stack, "potential", experiment_column(screen->experiment, "potential"), -1, STYLE_SECOND);
+        add_layer(screen, &stack, "potential", "potential", STYLE_SECOND);
     if (settings_contact(settings)->friction > 0 || settings_domain(settings)->friction > 0)
-        add_layer(&stack, "friction", experiment_column(screen->experiment, "friction"), -1, STYLE_THIRD);
-    add_layer(&stack, "damped", experiment_column(screen->experiment, "damped"), -1, STYLE_SECOND);
+        add_layer(screen, &stack, "friction", "friction", STYLE_THIRD);
+    add_layer(screen, &stack, "damped", "damped", STYLE_SECOND);
     return stack;
 }
 

@@ -26,27 +26,25 @@ typedef struct Strip {
     double *u, k;         /* they are drawn at x0 + k u */
 } Strip;
 
-/* Outside what is in sight: nothing. */
-static void put(const Strip *strip, double column, int row, PictureMark mark)
+/* In columns and rows above 0. Outside what is in sight: nothing. */
+static void put(const Strip *strip, PictureMark mark)
 {
     const double rounding = 1e-9;
-    if (!(column > -rounding && column < strip->columns - rounding))
-        return;
-    mark.x = column;
-    mark.y = -row;
-    picture_add_mark(strip->picture, mark);
+    if (mark.x > -rounding && mark.x < strip->columns - rounding)
+        picture_add_mark(strip->picture, mark);
 }
 
-static void put_upright(const Strip *strip, double column, int from, int to, PictureMark mark)
+/* Down to a row. */
+static void put_upright(const Strip *strip, int to, PictureMark mark)
 {
-    for (int row = from; row <= to; row++)
-        put(strip, column, row, mark);
+    for (; mark.y >= -to; mark.y--)
+        put(strip, mark);
 }
 
 static void put_across(const Strip *strip, double from, double to, Style style)
 {
     for (double column = fmax(0, floor(from)); column <= fmin(to, strip->columns); column++)
-        put(strip, column, 0, (PictureMark){.glyph = 0x2500, .style = style});
+        put(strip, (PictureMark){column, 0, 0x2500, style, .kind = MARK_PLACE});
 }
 
 /* Columns and rows of characters are the coordinates, with a column before the first for a wall. */
@@ -117,17 +115,12 @@ static void add_grid(const Bar *bar)
     put_across(strip, 0, strip->columns, STYLE_FRAME);
     for (size_t i = 0; i < bar->nodes; i++) {
         const double x = node_at(bar, i), column = column_of(bar, x), half = bar->spacing / 2;
-        const PictureMark wall = {.glyph = 0x2592,
-                                  .style = STYLE_FRAME,
-                                  .kind = MARK_BESIDE,
-                                  .side = {x < bar->length / 2 ? -1 : 1, 0}};
-        put(strip, column, 0,
-            (PictureMark){.glyph = 0x253c,
-                          .style = bar->there ? STYLE_NORMAL : STYLE_FRAME,
-                          .is_target = true,
-                          .thing = {1, i}});
+        const signed char side = x < bar->length / 2 ? -1 : 1;
+        const PictureMark wall = {column, 0, 0x2592, STYLE_FRAME, MARK_BESIDE, .side = {side, 0}};
+        put(strip, (PictureMark){column, 0, 0x253c, bar->there ? STYLE_NORMAL : STYLE_FRAME,
+                                 .is_target = true, .thing = {1, i}});
         if (simulation_named(strip->sim, 1, "fixed", i) > 0 && x > -half && x < bar->length + half)
-            put_upright(strip, column, 0, strip->last, wall);
+            put_upright(strip, strip->last, wall);
     }
 }
 
@@ -141,11 +134,9 @@ static void add_amounts(const Bar *bar, const char *field, const char *name, sig
     for (size_t i = 0; i < bar->nodes && most > 0; i++) {
         const double share = fabs(values[i]) / most;
         if (share > 1e-6)
-            put(bar->strip, column_of(bar, node_at(bar, i)), 0,
-                (PictureMark){.style = put_back ? STYLE_FAINT : style,
-                              .kind = MARK_BAR,
-                              .side = {right, 0},
-                              .share = put_back ? 0 : share});
+            put(bar->strip,
+                (PictureMark){column_of(bar, node_at(bar, i)), 0, 0, put_back ? STYLE_FAINT : style, MARK_BAR,
+                              .side = {right, 0}, .share = put_back ? 0 : share});
     }
     free(values);
     if (!put_back)
@@ -159,11 +150,10 @@ static void add_links(const Bar *bar, Flow flow)
     Link links[LINKS_MAX];
     const size_t found = find_links(strip, links);
     const bool to_nodes = flow == FLOW_TO_NODES, to_particles = flow == FLOW_TO_PARTICLES;
-    const PictureMark node = {.glyph = 0x25cf, .style = to_nodes ? STYLE_CHANGED : STYLE_SECOND},
-                      way = {.glyph = to_nodes       ? 0x2191
-                                      : to_particles ? 0x2193
-                                                     : 0x00b7,
-                             .style = to_nodes || to_particles ? STYLE_CHANGED : STYLE_FRAME};
+    const Style of_node = to_nodes ? STYLE_CHANGED : STYLE_SECOND,
+                of_way = to_nodes || to_particles ? STYLE_CHANGED : STYLE_FRAME,
+                of_particle = to_particles ? STYLE_CHANGED : STYLE_SECOND;
+    const uint32_t way = to_nodes ? 0x2191 : to_particles ? 0x2193 : 0x00b7;
     /* listed below the other words where there is room */
     picture_label(strip->picture, 0, 0, 0, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
     for (size_t i = 0; i < found; i++) {
@@ -173,15 +163,16 @@ static void add_links(const Bar *bar, Flow flow)
                       text_fitted(links[i].gradient[0], 4, 10).text);
         if (!strip->paused)
             continue;
-        put(strip, column, 0, node);
-        put_upright(strip, column, 1, strip->last - 1, way);
+        put(strip, (PictureMark){column, 0, 0x25cf, of_node, .kind = MARK_PLACE});
+        put_upright(strip, strip->last - 1, (PictureMark){column, -1, way, of_way, .kind = MARK_PLACE});
     }
+    const double own = particle_column(bar, strip->chosen);
     if (strip->paused)
-        put(strip, particle_column(bar, strip->chosen), strip->last,
-            (PictureMark){.glyph = 0x25cf, .style = to_particles ? STYLE_CHANGED : STYLE_SECOND});
-    if (strip->paused && strip->screen->chosen.is_node && strip->screen->chosen.node < bar->nodes)
-        put(strip, column_of(bar, node_at(bar, strip->screen->chosen.node)), 0,
-            (PictureMark){.glyph = 0x25a0, .style = STYLE_CHANGED});
+        put(strip, (PictureMark){own, -strip->last, 0x25cf, of_particle, .kind = MARK_PLACE});
+    const size_t chosen = strip->screen->chosen.node;
+    if (strip->paused && strip->screen->chosen.is_node && chosen < bar->nodes)
+        put(strip, (PictureMark){column_of(bar, node_at(bar, chosen)), 0, 0x25a0, STYLE_CHANGED,
+                                 .kind = MARK_PLACE});
 }
 
 static void describe_bar(Strip *strip, const double *x0)
@@ -223,19 +214,14 @@ static void describe_bar(Strip *strip, const double *x0)
     for (size_t i = 0; i < strip->count && stretch >= 0; i++) {
         const double half = gap / 2 * (1 + strip->k * (simulation_value(sim, stretch, i) - 1));
         for (int side = -1; side <= 1 && (all || (dots && i == strip->chosen)); side += 2)
-            put(strip, column_of(&bar, x0[i] + strip->k * strip->u[i] + side * half), strip->last,
-                (PictureMark){.glyph = '|', .style = STYLE_FRAME, .kind = MARK_FINE});
+            put(strip, (PictureMark){column_of(&bar, x0[i] + strip->k * strip->u[i] + side * half),
+                                     -strip->last, '|', STYLE_FRAME, .kind = MARK_FINE});
     }
     if (stretch >= 0 && all && strip->picture->heading[0])
         picture_heading(strip->picture, "the bar: its grid, and its particles in their domains");
     for (size_t i = 0; i < strip->count; i++)
-        put(strip, particle_column(&bar, i), strip->last,
-            (PictureMark){.glyph = 0x00b7,
-                          .ascii = 'o',
-                          .style = STYLE_MEASURED,
-                          .kind = MARK_FINE,
-                          .is_target = true,
-                          .thing = {0, i}});
+        put(strip, (PictureMark){particle_column(&bar, i), -strip->last, 0x00b7, STYLE_MEASURED, MARK_FINE,
+                                 .ascii = 'o', .is_target = true, .thing = {0, i}});
     add_links(&bar, flow);
     static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
                                         [FLOW_TO_PARTICLES] = "↓ particles take",
@@ -291,8 +277,8 @@ static void add_forces(const NodeRow *row)
         const bool large = fabs(share) >= 1.0 / 3;
         const uint32_t glyph = share > 0 ? (large ? 0x2192 : 0x203a) : large ? 0x2190 : 0x2039;
         if (fabs(share) >= 0.02)
-            put(row->strip, node_column(row, k), row->strip->last,
-                (PictureMark){.glyph = glyph, .style = STYLE_CHANGED});
+            put(row->strip, (PictureMark){node_column(row, k), -row->strip->last, glyph, STYLE_CHANGED,
+                                          .kind = MARK_PLACE});
     }
     free(force);
 }
@@ -338,12 +324,9 @@ static void describe_bonds(Strip *strip)
     open_axes(strip, strip->row.shown * strip->row.per + (row.first < 0) + (row.end > row.nodes));
     for (long k = row.first; k < row.end; k++) {
         const bool mirrored = k < 0 || k >= row.nodes;
-        put(row.strip, node_column(&row, k), row.strip->last,
-            (PictureMark){.glyph = mirrored ? 0x25cb : 0x00b7,
-                          .ascii = mirrored ? 0 : 'o',
-                          .style = mirrored ? STYLE_FAINT : STYLE_MEASURED,
-                          .is_target = !mirrored,
-                          .thing = {0, mirrored ? 0 : (size_t)k}});
+        put(strip, (PictureMark){node_column(&row, k), -strip->last, mirrored ? 0x25cb : 0x00b7,
+                                 mirrored ? STYLE_FAINT : STYLE_MEASURED, .ascii = mirrored ? 0 : 'o',
+                                 .is_target = !mirrored, .thing = {0, mirrored ? 0 : (size_t)k}});
     }
     if (pulls || (inside && strcmp(stage, "load") == 0))
         add_forces(&row);
@@ -356,16 +339,17 @@ static void describe_bonds(Strip *strip)
                    to = chosen + row.reach > most ? most : chosen + row.reach;
         put_across(row.strip, column_at(&row, (double)from), column_at(&row, (double)to), style);
         for (long k = from; k <= to; k++)
-            put(row.strip, column_at(&row, (double)k), 0,
-                (PictureMark){.glyph = k == chosen ? 0x25cf : 0x252c, .style = style});
-        put(row.strip, node_column(&row, chosen), row.strip->last,
-            (PictureMark){.glyph = 0x25cf, .style = STYLE_SECOND});
+            put(strip, (PictureMark){column_at(&row, (double)k), 0, k == chosen ? 0x25cf : 0x252c, style,
+                                     .kind = MARK_PLACE});
+        put(strip,
+            (PictureMark){node_column(&row, chosen), -strip->last, 0x25cf, STYLE_SECOND, .kind = MARK_PLACE});
     }
     const bool seen[2] = {row.walls[0] && row.first < 0, row.walls[1] && row.end > row.nodes};
     for (int side = 0; side <= 1; side++)
         if (seen[side])
-            put_upright(strip, column_at(&row, side ? (double)row.nodes - 0.5 : -0.5), 0, strip->last,
-                        (PictureMark){.glyph = 0x2592, .style = STYLE_FRAME});
+            put_upright(strip, strip->last,
+                        (PictureMark){column_at(&row, side ? (double)row.nodes - 0.5 : -0.5), 0, 0x2592,
+                                      STYLE_FRAME, .kind = MARK_PLACE});
     Link links[LINKS_MAX];
     const size_t count = find_links(strip, links);
     picture_label(strip->picture, 0, 0, 0, STYLE_HEADING, "particle %zu and its bonds", strip->chosen);
@@ -436,13 +420,9 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     enum { FIELDS = sizeof fields / sizeof *fields };
     const size_t count = sim->counts[0];
     double *values = calloc(FIELDS * count + 1, sizeof *values);
-    Strip strip = {.screen = screen,
-                   .sim = sim,
-                   .picture = picture,
-                   .paused = !screen_is_running(screen),
-                   .count = count,
-                   .chosen = screen->chosen.particle < count ? screen->chosen.particle : count - 1,
-                   .u = values};
+    const size_t wanted = screen->chosen.particle, chosen = wanted < count ? wanted : count - 1;
+    const bool paused = !screen_is_running(screen);
+    Strip strip = {screen, sim, picture, .paused = paused, .count = count, .chosen = chosen, .u = values};
     (void)variant;
     for (int f = 0; f < FIELDS && values; f++)
         if (fields[f] >= 0)

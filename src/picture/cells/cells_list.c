@@ -260,10 +260,7 @@ static void draw_heading(const Picture *picture, Area area, Style style)
 void cells_tables(const Picture *picture, Area area, Style heading)
 {
     Area inner = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
-    const TableSheet sheet = {.columns = inner.rect.width,
-                              .rows = inner.rect.height,
-                              .glyphs = area.glyphs,
-                              .write = write_in,
+    const TableSheet sheet = {inner.rect.width, inner.rect.height, area.glyphs, .write = write_in,
                               .back_end = &inner};
     draw_heading(picture, area, heading);
     tables_write(picture, &sheet);
@@ -390,24 +387,20 @@ static int legend_columns(const Legend *legend, int n_legend, int gap)
     return columns;
 }
 
-/* One kind of names after the other gives way until the whole legend has room: so many kinds. */
-static void shorten_legend(int room, int kinds, int gap, Legend *legend, int n_legend)
-{
-    for (int kind = 0; kind < kinds; kind++)
-        for (int i = 0, columns = legend_columns(legend, n_legend, gap); i < n_legend && columns > room;
-             i++) {
-            const char *name = shorter_name(&legend[i], kind);
-            columns -= name ? glyphs_columns(legend[i].name) - glyphs_columns(name) : 0;
-            legend[i].name = name ? name : legend[i].name;
-        }
-}
-
-/* As many as there is room for; where there are none `legend` may be NULL. Returns how many. */
-static int copy_legend(Legend shown[LEGENDS_MAX], const Legend *legend, int n_legend)
+/* As many entries as there is room for, of whose names one kind after the other gives way until the whole
+ * legend has room: so many kinds. Where there are none `legend` may be NULL. Returns how many. */
+static int shorten_legend(int room, int kinds, int gap, Legend shown[LEGENDS_MAX], const Legend *legend,
+                          int n_legend)
 {
     n_legend = n_legend < LEGENDS_MAX ? n_legend : LEGENDS_MAX;
     for (int i = 0; i < n_legend; i++)
         shown[i] = legend[i];
+    for (int kind = 0; kind < kinds; kind++)
+        for (int i = 0, columns = legend_columns(shown, n_legend, gap); i < n_legend && columns > room; i++) {
+            const char *name = shorter_name(&shown[i], kind);
+            columns -= name ? glyphs_columns(shown[i].name) - glyphs_columns(name) : 0;
+            shown[i].name = name ? name : shown[i].name;
+        }
     return n_legend;
 }
 
@@ -417,8 +410,7 @@ int legend_draw_short(Area area, int x, int y, const Legend *legend, int n_legen
     Legend shown[LEGENDS_MAX];
     const int room = area.rect.width - x;
     for (int kinds = NAME_KINDS - 1; kinds <= NAME_KINDS; kinds++) {
-        n_legend = copy_legend(shown, legend, n_legend);
-        shorten_legend(room, kinds, GAP_MOST, shown, n_legend);
+        n_legend = shorten_legend(room, kinds, GAP_MOST, shown, legend, n_legend);
         if (legend_columns(shown, 1, GAP_MOST) <= room)
             break;
     }
@@ -440,8 +432,8 @@ int cells_heading_draw(Area area, Style heading, const char *name, const char *s
         x = 4 + glyphs_columns(text) + 1;
         gap = pass >= CLOSE ? 1 : GAP_MOST;
         const int room = area.rect.width - x;
-        n_legend = copy_legend(shown, legend, n_legend);
-        shorten_legend(room, pass >= LETTERS_ONLY ? NAME_KINDS : NAME_KINDS - 2, gap, shown, n_legend);
+        const int kinds = pass >= LETTERS_ONLY ? NAME_KINDS : NAME_KINDS - 2;
+        n_legend = shorten_legend(room, kinds, gap, shown, legend, n_legend);
         if (legend_columns(shown, n_legend, gap) <= room)
             break;
     }

@@ -418,12 +418,8 @@ static void name_lines(const Sheet *sheet)
         if (run && before)
             continue;
         before |= run;
-        lines[count++] = (Legend){key->line,
-                                  key->ascii,
-                                  key->style,
-                                  run ? "crack before" : legend_short_name(key->name),
-                                  piece_of(key, area.glyphs),
-                                  0};
+        const char *name = run ? "crack before" : legend_short_name(key->name);
+        lines[count++] = (Legend){key->line, key->ascii, key->style, name, piece_of(key, area.glyphs), 0};
     }
     const int rows = count > LEAST ? count : LEAST;
     if (count == 0 || sheet->map->is_near)

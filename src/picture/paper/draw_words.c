@@ -215,8 +215,7 @@ typedef struct TablePage {
 static void write_on(const TableSheet *sheet, int column, int row, const char *text, Style style, bool to_end)
 {
     const TablePage *page = sheet->back_end;
-    const Type type = {.size = SIZE_WORDS,
-                       .bold = style == STYLE_HEADING,
+    const Type type = {SIZE_WORDS, .bold = style == STYLE_HEADING,
                        .colour = style == STYLE_FAINT ? GREY : BLACK,
                        .align = to_end ? ALIGN_RIGHT : ALIGN_LEFT};
     draw_words(page->paper, page->box.x + column * TABLE_COLUMN, page->box.y + (row + 2) * TABLE_ROW, text,
@@ -227,10 +226,8 @@ void draw_tables(Paper *paper, const Picture *picture, Box box)
 {
     TablePage page = {paper, box};
     const Type heading = {.size = SIZE_WORDS, .bold = true};
-    const TableSheet sheet = {.columns = (int)(box.width / TABLE_COLUMN),
-                              .rows = (int)(box.height / TABLE_ROW) - 1,
-                              .write = write_on,
-                              .back_end = &page};
+    const int columns = (int)(box.width / TABLE_COLUMN), rows = (int)(box.height / TABLE_ROW) - 1;
+    const TableSheet sheet = {columns, rows, .write = write_on, .back_end = &page};
     draw_words(paper, box.x, box.y + TABLE_ROW, picture->heading, &heading);
     tables_write(picture, &sheet);
 }

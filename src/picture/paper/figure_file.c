@@ -62,8 +62,7 @@ static double draw_notes(Paper *paper, const Picture *picture, bool faint, Box b
         if (picture->notes[i].told || picture->kind == PICTURE_TABLES || /* which have theirs themselves */
             (picture->notes[i].style == STYLE_FAINT) != faint)
             continue;
-        const Type type = {.size = SIZE_WORDS,
-                           .colour = (picture->notes[i].style == STYLE_FAINT) ? GREY : BLACK};
+        const Type type = {.size = SIZE_WORDS, .colour = faint ? GREY : BLACK};
         const Box rest = {box.x, box.y + height, box.width, box.height - height};
         height += draw_phrases(paper, picture->notes[i].text, rest, &type);
     }

@@ -130,7 +130,9 @@ static void lay(Map *map)
 {
     const MapEye *eye = &map->screen->eye;
     const Body *body = &map->body;
-    BodyRoom room = {.spacing = body->spacing,
+    BodyRoom room = {.low = {body->low[0], body->low[1]},
+                     .size = {body->size[0], body->size[1]},
+                     .spacing = body->spacing,
                      .travels = map->scene.leaves,
                      .enlarged = atof(settings_view(map->settings)->exaggeration),
                      .pressed = map->scene.pressed,
@@ -145,11 +147,8 @@ static void lay(Map *map)
         (size_t)within(j - 0.5, body->ny) * (size_t)body->nx + (size_t)within(i - 0.5, body->nx);
     room.moved[0] = map->ux[node];
     room.moved[1] = map->uy[node];
-    for (int d = 0; d < 2; d++) {
-        room.low[d] = body->low[d];
-        room.size[d] = body->size[d];
+    for (int d = 0; d < 2; d++)
         room.eye[d] = body->low[d] + (d == 0 ? i : j) * body->spacing;
-    }
     picture_lay_body(map->picture, &room);
 }
 
