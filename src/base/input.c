@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opening and reading files from outside (input.h): O_NONBLOCK while opening, so that a pipe does not wait.
- */
+/* Opening and reading files from outside (input.h): with O_NONBLOCK, so that a pipe does not wait. */
 #include "base/input.h"
 
 #include <errno.h>

@@ -45,8 +45,7 @@ typedef struct Search {
 static size_t count_below(const Band *band, double x, double least, Search *search)
 {
     enum { ROWS = BAND_WIDTH_MAX + 1, PRODUCTS_BETWEEN_QUESTIONS = 2000000 }; /* a few milliseconds */
-    double lower[ROWS][ROWS]; /* the last rows of L, each with the entries left of its diagonal: [d] is column
-                                 i - d */
+    double lower[ROWS][ROWS]; /* the last rows of L, left of the diagonal: [d] is column i - d */
     double pivots[ROWS];
     double scaled[ROWS]; /* L_ij D_j of the row at hand */
     const size_t width = (size_t)band->width, kept = width + 1;

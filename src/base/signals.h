@@ -16,8 +16,7 @@
 
 void signals_catch(void);
 
-/* What is done before a signal ends the process at once, by default or by a fault: only what a handler may.
- */
+/* What is done before a signal ends the process at once, by default or a fault: only what a handler may. */
 void signals_before_end(void (*clean)(void));
 
 /* Ends the process by a signal, in whose handler it is called, after what is done before. */

@@ -27,8 +27,7 @@ typedef struct Status {
 bool status_refuse(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool status_fail(Status *status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Takes over what another status says. The only way to hand one on, for the status may be NULL; returns
- * false.
+/* Takes over what another one says: the only way to hand it on to a status that may be NULL. Returns false.
  */
 bool status_take(Status *status, const Status *why);
 

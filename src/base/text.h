@@ -61,9 +61,7 @@ NumberText text_factor(double factor);
 /* Appends to a text; what does not fit is cut. */
 void text_append(char *out, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Appends a word as a shell reads it: in single quotes where it holds more than letters, digits and
- * _./=,:+%@-.
- */
+/* Appends a word as a shell reads it: in single quotes where it has more than letters, digits, _./=,:+%@-. */
 void text_append_shell(char *out, size_t size, const char *word);
 
 /* Words separated by spaces, one after the other, cut where `out` is too short; false: there is no more.

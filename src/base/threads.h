@@ -12,8 +12,7 @@ enum { THREADS_MAX = 1024 }; /* that may be asked for: more would only wait for 
 int threads_allowed(void);
 
 /* OMP_NUM_THREADS if it is set (of a list, the number of the outermost level), else all that are allowed, and
- * on a screen one less, which is left to the terminal and other programs. Never more than allowed.
- */
+ * on a screen one less, left to the terminal and other programs. Never more than allowed. */
 int threads_default(bool on_screen);
 
 #endif

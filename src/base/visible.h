@@ -9,8 +9,7 @@
  * backslash stands for itself, so it does not always read back.
  *
  * status_fail(), the messages and questions of the laboratory and visible_print() do it; who puts text from
- * outside elsewhere does it himself. Sources: Unicode 15, chapters 2.11, 23.2 to 23.4; UAX 9; ECMA-48, 8.3.
- */
+ * outside elsewhere does it. Sources: Unicode 15, chapters 2.11, 23.2 to 23.4; UAX 9; ECMA-48, 8.3. */
 #ifndef BASE_VISIBLE_H
 #define BASE_VISIBLE_H
 

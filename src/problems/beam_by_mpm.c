@@ -138,8 +138,7 @@ static bool invariant_kept(const Settings *settings)
         "mpm.algorithm", "mpm.shape", "mpm.flip_fraction", "mpm.rotation", "supports.ends",                  \
         "initial.stress", "time.courant", "time.unstable", "time.end"
 
-/* The motion beside is that of a deflection let go, frequencies those of any start, both of the right code.
- */
+/* The motion beside is that of a deflection let go, frequencies are of any start, both of the right code. */
 static const char *const of_motion[] = {BEAM_KEYS, "mpm.mistake", NULL};
 static const char *const of_any_start[] = {BEAM_KEYS, "initial.start", "mpm.mistake", NULL};
 static const char *const of_energy[] = {BEAM_KEYS, "initial.start", NULL};

@@ -30,10 +30,9 @@ typedef struct Answers {
     MpmDef def;
     double start[BODIES_X + BODIES_MAX * OF_BODY]; /* the row at t = 0 */
     double mass, centre[2];                        /* of all, at t = 0 */
-    double met, hit; /* when two bodies, and a body and a wall, touch first in free flight; INFINITY: never;
-                        NAN: not known */
-    double free;     /* until then no wall acts: the first of both in a box with walls */
-    bool slides;     /* down an incline, from rest */
+    double met, hit;    /* when bodies, and one and a wall, touch first; INFINITY: never; NAN: not known */
+    double free;        /* until then no wall acts: the first of both in a box with walls */
+    bool slides;        /* down an incline, from rest */
     double rate, turns; /* with this acceleration, and so much spin in a unit of time */
     double until;       /* when the disc comes to the wall ahead; INFINITY: it is open */
     bool falls;         /* a clamped block that has a reference */
@@ -43,8 +42,7 @@ typedef struct Answers {
 
 /* --- first touch ---------------------------------------------------------------------------------- */
 
-/* The first t >= 0 with a t^2 + b t + c <= 0; INFINITY: never. c > 0: not yet; touching, only if it closes.
- */
+/* The first t >= 0 with a t^2 + b t + c <= 0, of what touches only if it closes; INFINITY: never. */
 static double first_root(double a, double b, double c, double close)
 {
     if (c <= close)

@@ -77,9 +77,7 @@ typedef struct Validity {
     const char *const *changes; /* those of them that may change in mid-run; NULL: none */
 } Validity;
 
-/* What a run of some settings is to show, known without it; periods in s (beams) or radians per unit time
- * (bar).
- */
+/* What a run of some settings is to show, known without it; periods in s, of a bar radians per unit time. */
 typedef struct Prediction {
     double predicted;   /* by the equations of this very mesh or lattice; NAN: not known */
     double theory;      /* of the continuum (bar), by Timoshenko's theory (beams), at the size asked for */
@@ -103,8 +101,7 @@ typedef struct Solver {
     bool (*advice)(const Settings *, char *advice, size_t size, Status *);
     int (*derived)(const Settings *, const Simulation *, Derived *out);
 
-    /* Plans the columns of the series with the answers beside (solver.h), and works out their coefficients.
-     */
+    /* Plans the columns of the series with the answers beside (solver.h); works out their coefficients. */
     bool (*prepare)(References *, const Settings *, const Simulation *, Status *);
     double (*profile)(const References *, const char *field, double x, double time);
     double (*section)(const References *, const char *field, double x, double y, double time);
@@ -175,8 +172,7 @@ long problem_last_step(double dt, double end);
  * memory; the status says why. */
 Simulation *problem_simulate(const Settings *, int threads, Status *);
 
-/* The time step that a simulation of these settings has; a beam's critical one may have to be found for it.
- */
+/* The time step of a simulation of these settings; a beam's critical one may have to be found for it. */
 bool problem_time_step(const Settings *, double *dt, Status *);
 
 /* Makes settings those of a run that ends at a step: time.end its time, time.step the number in use, changes

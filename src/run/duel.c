@@ -75,7 +75,7 @@ int duel_suggest(const Settings *settings, int which, Assignment keys[DUEL_MAX])
     return 0;
 }
 
-/* B's settings where A's are these: changes in mid-run keep their time, those of B's own keys are left out.
+/* B's settings where A's are these: changes in mid-run keep their time, and of B's own keys there are none.
  */
 static bool second_settings(const Duel *duel, const Settings *first, Settings *out, Status *status)
 {

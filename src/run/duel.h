@@ -65,8 +65,7 @@ bool duel_advance(Duel *, Effort, bool *whole, Status *);
 /* A stays where it has come to, and B comes there too; a B that A waits for is given up, with the duel. */
 void duel_cancel(Duel *);
 
-/* Begins again at t = 0. False: refused. If B alone cannot be made the duel is over and the status says why.
- */
+/* Begins again at t = 0. False: refused. If B alone cannot be made the duel is over; the status says why. */
 bool duel_restart(Duel *, bool keep_ghost, Status *);
 
 /* experiment_edit(), experiment_rerun() or experiment_replace(). */

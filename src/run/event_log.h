@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What happened in a run, in plain words with their steps: what the method reported, the changes that were
- * made, and what follows from the record beside theory: drift of the energy, a lag behind the exact answer.
- */
+ * made, and what follows from the record: drift of the energy, a lag behind the exact answer. */
 #ifndef RUN_EVENT_LOG_H
 #define RUN_EVENT_LOG_H
 

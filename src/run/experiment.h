@@ -50,11 +50,9 @@ const Column *experiment_columns(const Experiment *, int *count);
 int experiment_column(const Experiment *, const char *name); /* -1: there is none */
 const Ghost *experiment_ghosts(const Experiment *);          /* GHOSTS_MAX of them */
 const char *experiment_advice(const Experiment *);           /* "" or a line to be shown */
-/* The cracks of a plate up to the present step, NULL: there are none. */
-const CrackFronts *experiment_fronts(const Experiment *);
-const Readout *experiment_readout(const Experiment *); /* see experiment_rest() */
-const Spectrum *experiment_spectrum(const Experiment *, int column,
-                                    SpectrumSpan); /* NULL: too few rows as yet */
+const CrackFronts *experiment_fronts(const Experiment *); /* of a plate, up to the present step; NULL: none */
+const Readout *experiment_readout(const Experiment *);    /* see experiment_rest() */
+const Spectrum *experiment_spectrum(const Experiment *, int column, SpectrumSpan); /* NULL: too few rows */
 const Spectrum *experiment_ghost_spectrum(const Experiment *, int ghost, int column, SpectrumSpan);
 const double *experiment_row(const Experiment *); /* all columns at the present whole step */
 /* The energy without the ripple of staggered velocities and stresses (E* of paper M's method: sum of m v^n
@@ -79,9 +77,7 @@ long experiment_last_step(const Experiment *); /* the step at which time.end is 
 bool experiment_at_end(const Experiment *);
 bool experiment_failed(const Experiment *, Status *);
 
-/* How much is done at once: whole steps or, of steps that take longer than a frame, a part of the one at
- * hand.
- */
+/* How much is done at once: whole steps or, of steps that take longer than a frame, a part of one. */
 typedef struct Effort {
     long steps;
     double share; /* of the items of a stage (Simulation.stage_items); 0: whole steps */
@@ -91,8 +87,7 @@ typedef struct Effort {
  * counted (so 0 steps finish it, and do nothing else). Rows come. */
 void experiment_go_on(Experiment *, long steps);
 
-/* Sets a goal: step `step` with `stage` stages of the next one done, forwards or backwards, at most the end.
- */
+/* Sets a goal: step `step` with `stage` stages of the next done, forwards or backwards, at most the end. */
 void experiment_seek(Experiment *, long step, int stage);
 
 /* On the way to the goal, until nothing is pending. *whole: a step came to its end, or there was none to do.
@@ -133,9 +128,8 @@ bool experiment_field_before(const Experiment *, int field, size_t first, size_t
 bool experiment_explain_beside(const Experiment *, const Experiment *other, int stage, int set, size_t index,
                                int terms, char *out, size_t size);
 
-void experiment_goal(const Experiment *, long *step,
-                     int *stage);     /* of work that is pending, or the present */
-void experiment_cancel(Experiment *); /* stay where the work has come to */
+void experiment_goal(const Experiment *, long *step, int *stage); /* of pending work, or the present */
+void experiment_cancel(Experiment *);                             /* stay where the work has come to */
 
 /* Back to t = 0, parameters kept as they are on screen (a live one that was changed in mid-run by hand holds
  * from the start); the curves so far are forgotten unless `keep_ghost`. */

@@ -395,8 +395,7 @@ bool experiment_change(Experiment *experiment, long step, const Settings *change
     Settings before = experiment->base;
     const bool here = experiment->run.sim->stage == 0 && experiment->run.sim->step == step;
     experiment->base = *changed;
-    /* whether the method takes the changes of the present step, one after the other; nothing is changed by it
-     */
+    /* whether the method takes the changes of the present step in turn; nothing is changed by it */
     Trial trial = {.settings = &experiment->base, .good = !here};
     if (here && !simulation_visit(experiment->run.sim, NULL, try_changes, &trial))
         out_of_memory(&trial.why);

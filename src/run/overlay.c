@@ -268,8 +268,7 @@ static bool take_head(Reader *reader, Overlay *overlay)
     if (!names) {
         if (!take_row(reader, overlay, cells))
             return false;
-        /* names may be in the comment above the first row, where numpy writes them; any other comment is none
-         */
+        /* names may be in the comment above the first row, where numpy writes them */
         Status *status = reader->status;
         strcpy(reader->text, reader->comment);
         reader->status = NULL; /* what a comment says is never wrong */
@@ -363,7 +362,6 @@ static int first_named(const Overlay *overlay, const char *const *names)
 
 static const char *const times[] = {"time", "t", "zeit", NULL}, *const places[] = {"x", "x0", NULL};
 
-/* By name, or by number from 1 on; -1, and the status says what there is. */
 int overlay_column(const Overlay *overlay, const char *text, Status *status)
 {
     long number;

@@ -27,8 +27,7 @@ typedef struct OverlayColumn {
     char name[OVERLAY_NAME_MAX]; /* UTF-8; "" without a first line of names */
     double *values;              /* one for each row; NAN: missing */
     double least, largest;       /* of those that are there; NAN: none is */
-    int digits,
-        places; /* as written, the most of any: significant digits, and decimal places (-2: hundreds) */
+    int digits, places; /* as written, the most of any: significant ones, and decimals (-2: hundreds) */
 } OverlayColumn;
 
 typedef struct Overlay {

@@ -146,8 +146,7 @@ const double *record_of_step(const Record *record, long step)
 size_t record_find(const Record *record, double t)
 {
     ASSERT_INT(record->n_columns, >=, 2);
-    size_t low = 0,
-           high = record->count; /* rows before `low` are not later than t, from `high` on they are */
+    size_t low = 0, high = record->count; /* rows before `low` are not later, from `high` on they are */
     while (low < high) {
         size_t middle = low + (high - low) / 2;
         if (record_row(record, middle)[1] <= t)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words and macros of which the rows of the parameter table are made; for who reads parameter_rows.inc.
- */
+/* The words and macros of which parameter_rows.inc is made; for who reads it. */
 #ifndef SCENARIO_PARAMETER_TABLE_H
 #define SCENARIO_PARAMETER_TABLE_H
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parameter table: one row for each key of a scenario file that has a value. The scenario reader and
  * writer, --set, the fields on screen, `matvib params`, completion and the manual page read this table;
- * none repeats it. To add a parameter: one row in parameter_rows.inc and the member it fills in concern_*.h.
- */
+ * none repeats it. To add a parameter: a row in parameter_rows.inc and the member it fills in concern_*.h. */
 #ifndef SCENARIO_PARAMETERS_H
 #define SCENARIO_PARAMETERS_H
 
@@ -53,22 +52,20 @@ typedef struct Parameter {
     size_t offset; /* of the member in Settings */
     size_t size;   /* of a text, in bytes */
     TextRule rule;
-    const char *form;           /* what is allowed, in words */
-    bool goes_on;               /* in indented lines below */
-    bool named;                 /* its values are known without its label: "USL" */
-    double least, most;         /* inclusive range */
-    bool above_least;           /* the least itself is not allowed */
-    const char *const *choices; /* ended by NULL */
-    const char *(*choice_help)(
-        int);               /* a sentence for each of many, NULL for the first; NULL: help says it all */
-    bool wrong;             /* at work, the code is wrong in one place */
-    const char *automatic;  /* a word that stands for 0, "auto"; NULL: none */
-    double automatic_value; /* it stands for this instead of 0 */
+    const char *form;                /* what is allowed, in words */
+    bool goes_on;                    /* in indented lines below */
+    bool named;                      /* its values are known without its label: "USL" */
+    double least, most;              /* inclusive range */
+    bool above_least;                /* the least itself is not allowed */
+    const char *const *choices;      /* ended by NULL */
+    const char *(*choice_help)(int); /* a sentence for each of many but the first; NULL: help says it all */
+    bool wrong;                      /* at work, the code is wrong in one place */
+    const char *automatic;           /* a word that stands for 0, "auto"; NULL: none */
+    double automatic_value;          /* it stands for this instead of 0 */
     Nudge nudge;
-    bool live; /* may change in mid-run, */
-    bool (*of_start)(
-        int choice); /* but not from or to these choices, which hold from the start on; NULL: to all */
-    int methods;     /* that read it; 0: every one */
+    bool live;                    /* may change in mid-run, */
+    bool (*of_start)(int choice); /* but not from or to these, which hold from the start on; NULL: to all */
+    int methods;                  /* that read it; 0: every one */
     bool stated; /* it is a part of the problem: at work, it is refused by a method that does not read it */
     const char *help; /* one line */
     double usual;     /* the default, where the problem has no other */
@@ -95,8 +92,7 @@ extern const char *const parameter_colour_words[];
 /* Whether what is run with these settings has what the word stands for. */
 bool parameter_colour_is_there(const Settings *, const char *word);
 
-/* What one may look for as a parameter, but follows from the method: it has one value, and a reason for it.
- */
+/* What one may look for as a parameter, but follows from the method: it has one value, and a reason. */
 typedef struct FixedKey {
     const char *key;    /* "beam.poisson"; its end, "poisson", finds it too */
     int concern;        /* of the problems that have it */
@@ -119,8 +115,7 @@ const Parameter *parameter_find(const char *key);
 /* What it is called where no heading stands above it: "notch position" for a word alone, else its label. */
 void parameter_name_alone(const Parameter *, char *out, size_t size);
 
-/* Likewise of a text key: words of a scenario file that are not parameters of its run, title, question, view.
- */
+/* Likewise of a text key: words of a scenario that are no parameters of its run, title, question, view. */
 const Parameter *parameter_text_find(const char *key);
 
 /* The key that is meant by its whole, by its end ("cell_size", "modulus") or by the words beside its field on
@@ -230,9 +225,7 @@ void parameter_range(const Parameter *, const Problem *, char *out, size_t size)
  * beam, overtones that cannot be read, mode 0 with a fixed end, ... The status names the key.
  *
  * Asked by what makes settings: scenario_read(), settings_change(), settings_nudge(), changes_add(), and once
- * more by changes_advice(), since what is in force in mid-run may not be a scenario; by nobody who takes
- * them.
- */
+ * more by changes_advice(), since what is in force in mid-run may be no scenario; by nobody who takes it. */
 bool settings_check(const Settings *, Status *);
 
 /* Whether two settings lead to the same run. */

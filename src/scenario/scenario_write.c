@@ -12,8 +12,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* A text that the reader would cut or strip: comment signs after a space or at the start, spaces at an end.
- */
+/* A text that the reader would cut: comment signs after a space or at the start, spaces at an end. */
 static bool would_be_damaged(const char *text)
 {
     size_t n = strlen(text);

@@ -40,8 +40,7 @@ struct Settings {
 /* The words of a scenario file for MethodKind, ended by NULL. */
 extern const char *const settings_method_words[];
 
-/* A word of a choice as a file has it that is not to show the mistake: four hexadecimal digits of its hash.
- */
+/* A word of a choice in a file that is not to show the mistake: four hexadecimal digits of its hash. */
 enum { CIPHER_MAX = 5 };
 void parameter_cipher(const char *word, char out[CIPHER_MAX]);
 

@@ -45,8 +45,8 @@ static bool read_number(const Parameter *parameter, const Problem *problem, cons
         return refuse(parameter, problem, text, "is not a whole number", status);
     /* where nothing at all stands for 0, a 0 that was typed is a slip */
     bool silent_zero = automatic && !*automatic && *value == 0;
-    bool unsaid =
-        parameter->automatic_value != 0 && *value == parameter->automatic_value; /* its word says it */
+    /* and what a word says */
+    bool unsaid = parameter->automatic_value != 0 && *value == parameter->automatic_value;
     if (silent_zero || unsaid || !settings_in_range(parameter, problem, *value))
         return refuse(parameter, problem, text, "is out of range", status);
     return true;
@@ -70,9 +70,9 @@ static bool put_text(Settings *settings, const Parameter *parameter, const char 
     if (!visible_is_clean(text))
         return status_refuse(status, "%s: has characters that cannot be kept (one line of UTF-8)",
                              parameter->key);
+    /* nothing of an earlier text behind the zero: equal settings are equal bytes */
     char *at = (char *)settings + parameter->offset;
-    memset(at, 0,
-           parameter->size); /* nothing of an earlier text behind the zero: equal settings are equal bytes */
+    memset(at, 0, parameter->size);
     strcpy(at, text);
     return true;
 }

@@ -83,8 +83,7 @@ double beam_period_plane(const BeamTheory *beam)
 /* The section turns by less than the slope w', for shear has its part of that. With the shear force Q that
  * moves the mass, dQ/dx = rho A w_tt, and Q = kappa G A (w' - psi) the moment is
  *
- *     M = E I psi' = E I (w'' - rho w_tt/(kappa G)),   sxx = -E y psi' = E y (k^2 - rho omega^2/(kappa G)) w
- */
+ *     M = E I psi' = E I (w'' - rho w_tt/(kappa G)), sxx = -E y psi' = E y (k^2 - rho omega^2/(kappa G)) w */
 double beam_bending_stress(const BeamTheory *beam, double x, double y, double t)
 {
     const double period = beam_period_timoshenko(beam), k = M_PI / beam->length, omega = 2 * M_PI / period;
@@ -95,8 +94,7 @@ double beam_bending_stress(const BeamTheory *beam, double x, double y, double t)
 
 /* The same force spread as in a beam at rest, sxy = 3 Q/(2 A) (1 - (2 y/h)^2), with w = a sin kx
  *
- *     Q/A = rho omega^2 a cos(kx)/k
- */
+ *     Q/A = rho omega^2 a cos(kx)/k */
 double beam_shear_stress(const BeamTheory *beam, double x, double y, double t)
 {
     const double period = beam_period_timoshenko(beam), k = M_PI / beam->length, omega = 2 * M_PI / period;
@@ -203,9 +201,7 @@ static int take_modes(const gsl_vector *squares, const gsl_matrix *modes, double
     return count;
 }
 
-/* stiffness: rows x rows, N/m^4 (force density over displacement); its halves are made equal first, for
- * rounding has parted them. frequencies in 1/s. Returns how many even modes there are, 0 also where memory is
- * short. */
+/* The halves of the stiffness are made equal first, for rounding has parted them. */
 int beam_thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
                          int most)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The right answers for beams: Euler-Bernoulli and Timoshenko, and the axially moving cantilever. SI units.
- */
+/* The right answers for beams: Euler-Bernoulli, Timoshenko, and the axially moving cantilever. SI units. */
 #ifndef THEORY_ELASTIC_BEAM_H
 #define THEORY_ELASTIC_BEAM_H
 
@@ -49,8 +48,7 @@ double beam_cantilever_frequency(const BeamTheory *beam, double length);
 
 /* The frequencies (radians per s, ascending) of the vibration through the thickness that leaves the middle's
  * two sides alike, as a run with steps of dt shows them (paper P, the fast lines of fig. 4). `stiffness`:
- * rows x rows, N/m^4, symmetric; `frequencies` takes at most `most`. Returns how many; 0 also without memory.
- */
+ * rows x rows, N/m^4, symmetric; `frequencies` takes at most `most`. Returns how many; without memory 0. */
 int beam_thickness_modes(const double *stiffness, int rows, double density, double dt, double *frequencies,
                          int most);
 

@@ -63,9 +63,7 @@ static void transform_amplitudes(const double *windowed, size_t n, size_t m, dou
         out[k] = math_hypot(signal[2 * k], signal[2 * k + 1]);
 }
 
-/* Amplitudes of the lines k = 0 .. count/2 at angular frequency 2 pi k/(count dt), under a Hann window
- * sin^2(pi k/count) and without the mean, so that a line of amplitude A between two bins is seen in its
- * neighbours only. `out` has count/2 + 1 places. False: not enough memory. */
+/* Under a Hann window sin^2(pi k/count) a line between two bins is seen in its neighbours only. */
 bool frequency_spectrum(const double *values, size_t count, double *out)
 {
     ASSERT_INT(count, >=, 1);

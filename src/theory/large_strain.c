@@ -9,8 +9,7 @@
  * and the period is the integral over a whole turn of a smooth function that comes back to itself: the sum of
  * equal parts converges faster than any power of their number. Between, the equations of motion are
  * integrated in equal steps of the period (Runge and Kutta's fourth order; a 4096th of a turn leaves 1e-12 at
- * the fastest, and far less else).
- */
+ * the fastest, and far less else). */
 #include "theory/large_strain.h"
 
 #include "base/assertion.h"
@@ -18,8 +17,7 @@
 
 #include <math.h>
 
-/* 2 ((w - 1) e^w + 1) = sum over k >= 2 of 2 (k - 1) w^k / k!, whose first terms cancel in the closed form.
- */
+/* 2 ((w - 1) e^w + 1) = sum over k >= 2 of 2 (k - 1) w^k/k!; its first terms cancel in the closed form. */
 static double twice_potential(double w)
 {
     if (fabs(w) > 0.5)

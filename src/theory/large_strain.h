@@ -43,8 +43,7 @@ typedef struct HangingColumn {
 
 double hanging_column_stress(const HangingColumn *, double x);       /* rho b (L - X) */
 double hanging_column_displacement(const HangingColumn *, double x); /* at a place of the bar without load */
-double hanging_column_linear(const HangingColumn *,
-                             double x);              /* the same for small strains, k (L X - X^2/2) */
-double hanging_column_centre(const HangingColumn *); /* where the centre of mass hangs */
+double hanging_column_linear(const HangingColumn *, double x);       /* for small strains, k (L X - X^2/2) */
+double hanging_column_centre(const HangingColumn *);                 /* where the centre of mass hangs */
 
 #endif

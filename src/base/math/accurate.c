@@ -80,8 +80,7 @@ static double wide_to_double(Wide a)
     return ldexp(a.negative ? -(double)bits : (double)bits, a.exponent - kept);
 }
 
-/* Only the first `count` digits, to nearest: what is in error by less than half of what goes becomes exact.
- */
+/* Only the first `count` digits, to nearest: an error of less than half of what goes becomes none. */
 static Wide wide_rounded(Wide a, int count)
 {
     bool up = a.digits[count] & 0x80000000;
@@ -243,8 +242,7 @@ static const uint32_t two_by_pi[] = {
  *
  * x = m 2^e with m an integer of 53 bits. Of m 2^e 2/pi only the part below 4 is needed, so bits of 2/pi that
  * are worth 4 and more when multiplied by 2^e are left out (M. Payne, R. Hanek, SIGNUM Newsletter 18, 1983):
- * a window of 320 bits beginning there, times m, is a fixed-point number with `point` bits behind the point.
- */
+ * a window of 320 bits from there, times m, is a fixed-point number with `point` bits behind the point. */
 static Wide reduced(double x, int *quadrant)
 {
     *quadrant = 0;
@@ -351,8 +349,7 @@ double accurate_acos(double x, double near)
 
 /* --- exponentials ---------------------------------------------------------------------------------- */
 
-/* e^x - 1, |x| < 1, to 2^-180 of itself: t = x/2^8, t + t^2/2 + ..., then 8 times (1 + e)^2 - 1 = e (2 + e)
- */
+/* e^x - 1, |x| < 1, to 2^-180 of itself: t = x/2^8, t + t^2/2 + ..., 8 times (1 + e)^2 - 1 = e (2 + e) */
 static Wide small_expm1(Wide x)
 {
     const Wide t = wide_scaled(x, -HALVINGS);

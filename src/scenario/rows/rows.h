@@ -37,10 +37,9 @@ typedef enum RowKinds {
 } RowKinds;
 
 typedef struct Row {
-    char name[ROW_NAME_MAX]; /* letters, digits, _ and -; "" where the kind has no names */
-    double
-        values[ROW_VALUES_MAX]; /* in the order of the kind's columns; shares in per cent, words by index */
-    unsigned shares, given;     /* a bit for each: it is a share; it is there */
+    char name[ROW_NAME_MAX];       /* letters, digits, _ and -; "" where the kind has no names */
+    double values[ROW_VALUES_MAX]; /* by the kind's columns; shares in per cent, words by index */
+    unsigned shares, given;        /* a bit for each: it is a share; it is there */
 } Row;
 
 typedef struct RowList {
@@ -132,9 +131,7 @@ bool settings_row_key_set(Settings *, const char *key, const char *text, Status 
 /* Whether a key is of a section of rows that these settings have. */
 bool settings_row_is_key(const Settings *, const char *key);
 
-/* What the key of one value of a row is about, whether or not there is such a row; NULL: it is not such a
- * key.
- */
+/* What the key of one value of a row is about, whether or not there is such a row; NULL: no such key. */
 const RowColumn *row_key_column(const char *key);
 
 /* The number behind the key of one value, NAN: the key is none; to be varied like a parameter. */
