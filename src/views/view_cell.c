@@ -425,39 +425,7 @@ static void add_bars(const CellView *view, Picture *picture, size_t node, double
                                       .style = is_link(view, 1, node) ? STYLE_CHANGED : STYLE_NORMAL});
 }
 
-static void add_contact(const CellView *, Picture *, size_t node, PictureLabel *);
-
-static void add_node(const CellView *view, Picture *picture, size_t node)
-{
-    const bool own = is_own(view, 1, node), linked = is_link(view, 1, node), line = view->line;
-    const Style there = experiment_stage(view->screen->experiment) > 0 ? STYLE_NORMAL : STYLE_FAINT;
-    double at[2], beside[2];
-    place_of(view, 1, node, at);
-    place_of(view, view->terms.set, view->terms.index, beside);
-    const Style words = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
-    PictureLabel *label = picture_label(picture, at[0], line ? NUMBER_ROW : at[1],
-                                        !line && at[0] < beside[0] ? -1 : 1, words, "%zu", node);
-    label->thing = "node";
-    label->says_thing = true;
-    const Pen pen = {LINE_SOLID, '|', line ? there : STYLE_FRAME, RANK_GHOST, 0};
-    picture_line(picture, at[0], line ? view->grid - 0.4 : view->low[1], at[0],
-                 line ? view->grid + 0.4 : view->high[1], pen);
-    if (line)
-        add_bars(view, picture, node, at[0]);
-    else
-        picture_line(picture, view->low[0], at[1], view->high[0], at[1],
-                     (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
-    if (view->meets)
-        add_contact(view, picture, node, label);
-    node_numbers(view, node, label->text, sizeof label->text);
-    picture_thing(picture, at[0], at[1],
-                  own || (!line && linked) ? 0x25a0
-                  : linked                 ? 0x25cf
-                                           : 0x253c,
-                  own || (!line && linked) ? STYLE_CHANGED : there, (PictureThing){1, node});
-}
-
-/* --- contact ---------------------------------------------------------------------------------------- */
+/* --- contact, and nodes ------------------------------------------------------------------------ */
 
 /* From the node that is drawn, as long as its share of `length`. */
 static void add_vector(const CellView *view, Picture *picture, const double vector[2], double length,
@@ -518,6 +486,36 @@ static void add_contact(const CellView *view, Picture *picture, size_t node, Pic
         add_vector(view, picture, v[k], fastest > 0 ? 0.4 * view->spacing / fastest : 0,
                    picture_kind_style((int)body), "v", told);
     }
+}
+
+static void add_node(const CellView *view, Picture *picture, size_t node)
+{
+    const bool own = is_own(view, 1, node), linked = is_link(view, 1, node), line = view->line;
+    const Style there = experiment_stage(view->screen->experiment) > 0 ? STYLE_NORMAL : STYLE_FAINT;
+    double at[2], beside[2];
+    place_of(view, 1, node, at);
+    place_of(view, view->terms.set, view->terms.index, beside);
+    const Style words = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
+    PictureLabel *label = picture_label(picture, at[0], line ? NUMBER_ROW : at[1],
+                                        !line && at[0] < beside[0] ? -1 : 1, words, "%zu", node);
+    label->thing = "node";
+    label->says_thing = true;
+    const Pen pen = {LINE_SOLID, '|', line ? there : STYLE_FRAME, RANK_GHOST, 0};
+    picture_line(picture, at[0], line ? view->grid - 0.4 : view->low[1], at[0],
+                 line ? view->grid + 0.4 : view->high[1], pen);
+    if (line)
+        add_bars(view, picture, node, at[0]);
+    else
+        picture_line(picture, view->low[0], at[1], view->high[0], at[1],
+                     (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
+    if (view->meets)
+        add_contact(view, picture, node, label);
+    node_numbers(view, node, label->text, sizeof label->text);
+    picture_thing(picture, at[0], at[1],
+                  own || (!line && linked) ? 0x25a0
+                  : linked                 ? 0x25cf
+                                           : 0x253c,
+                  own || (!line && linked) ? STYLE_CHANGED : there, (PictureThing){1, node});
 }
 
 /* --- particles, and what passes ---------------------------------------------------------------------- */

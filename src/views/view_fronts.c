@@ -9,12 +9,11 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { VARIANT_SPEED, VARIANT_ADVANCE };
 enum { SHOWN_MAX = 15, NAME_BYTES = 32 }; /* curves, and what a legend says of each */
 
 static const char *word_of(const Screen *screen, int variant)
 {
-    static const char *const words[] = {[VARIANT_SPEED] = "speed", [VARIANT_ADVANCE] = "advance", NULL};
+    static const char *const words[] = {"speed", "advance", NULL};
     (void)screen;
     return words[variant];
 }
@@ -22,7 +21,7 @@ static const char *word_of(const Screen *screen, int variant)
 static void describe(const Screen *screen, int variant, Picture *picture)
 {
     const CrackFronts *fronts = experiment_fronts(screen->experiment);
-    const bool speeds = variant == VARIANT_SPEED;
+    const bool speeds = variant == 0;
     if (!fronts) {
         picture_say(picture, "cracks", "Memory is short: the cracks are not followed.");
         return;

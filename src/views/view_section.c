@@ -140,12 +140,6 @@ static bool take_section(Section *section, const Screen *screen, const SectionPa
     return true;
 }
 
-/* Sections of a beam stay plane; of a plate nothing of the kind is known. */
-static bool is_beam(const Screen *screen)
-{
-    return screen_problem(screen)->concerns & CONCERN_BEAM;
-}
-
 /* --- words ------------------------------------------------------------------------------------------ */
 
 /* How far the columns of the cell are from their mean, root mean square. */
@@ -181,7 +175,8 @@ static void section_line(const Section *section, char out[160])
     }
     const double share = line > 0 ? sqrt(off / line) : NAN;
     snprintf(out, 160, "at x %.2f mm", section->x / 1e-3);
-    if (!is_beam(section->screen))
+    /* sections of a beam stay plane; of a plate nothing of the kind is known */
+    if (!(screen_problem(section->screen)->concerns & CONCERN_BEAM))
         return;
     if (!of->resultant) {
         append_quantity(out, "  off the line by", sqrt(off / (double)section->rows), of->unit);
@@ -249,7 +244,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     Section section = {.y = NULL};
     if (part && screen_has(screen, HAS_PLANE) && take_section(&section, screen, part)) {
         const SectionPart *of = section.of;
-        const bool theory = screen_shows_exact(section.screen) && is_beam(section.screen);
+        const bool theory = screen_shows_exact(screen) && screen_problem(screen)->concerns & CONCERN_BEAM;
         const bool several = section.columns > 1;
         const double bottom = section.body.low[1];
         char line[160];

@@ -17,7 +17,8 @@ enum {
     LARGER = 1,       /* rows that a plot has more than it must where there are words to spare */
     APART = 40,       /* columns from which on a curve can have its letter more than once */
     DRAWING = 12,     /* rows that a drawing keeps before words below it are written */
-    LEGEND = 12       /* rows from which on all its curves are named */
+    LEGEND = 12,      /* rows from which on all its curves are named */
+    FOREIGN = '+'     /* the sign of a file's curve, which is named in the plot, for its name may be long */
 };
 
 void cells_open(Picture *picture, int columns, int rows, Glyphs glyphs)
@@ -99,12 +100,6 @@ static const char *sign_text(uint32_t sign, int fill, Glyphs glyphs, char out[8]
     const size_t bytes = glyph_put(out, sign == SIGN_DOTS ? 0x00b7 : ascii ? glyph_ascii(sign) : sign);
     strcpy(out + bytes, sign < 0x80 ? ":" : " "); /* a letter is that of an earlier run */
     return out;
-}
-
-/* Of a file: it is named in the plot, for its name may be long. */
-static bool is_foreign(const PictureKey *key)
-{
-    return key->sign == '+';
 }
 
 /* --- marks ----------------------------------------------------------------------------------------- */
@@ -321,7 +316,7 @@ static void draw_plot(Picture *picture, Area area, Style heading, int colours)
         const PictureKey *key = &picture->keys[i];
         const int fill = solid && area.glyphs != GLYPHS_ASCII ? 0 : key->fill;
         const char *sign = sign_text(key->sign, fill, area.glyphs, signs[i]);
-        if (!is_foreign(key))
+        if (key->sign != FOREIGN)
             legend[n_legend++] = (Legend){key->line, key->ascii, key->style,
                                           key->name, sign,       key->sign == SIGN_BAND ? 1 + (fill & 3) : 0};
     }
@@ -356,7 +351,7 @@ static void draw_plot(Picture *picture, Area area, Style heading, int colours)
             const PictureKey *key = &picture->keys[i];
             const int columns = 2 + glyphs_columns(key->name), room = inner.rect.width - columns - 1;
             const int x = room > 1 ? room : 1;
-            if (!is_foreign(key))
+            if (key->sign != FOREIGN)
                 continue;
             area_blank(inner, x - 1, x + columns + 1, 0, STYLE_NORMAL);
             area_put(inner, x, 0, key->sign, key->style);

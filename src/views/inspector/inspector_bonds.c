@@ -111,6 +111,7 @@ typedef struct Family {
     const Screen *screen;
     const Simulation *sim;
     const Settings *settings;
+    double s0; /* the critical stretch */
     Body body;
     size_t node;
     int i, j, reach;
@@ -133,6 +134,7 @@ static bool family_of(Family *family, const Screen *screen)
         (Family){.screen = screen, .sim = sim, .settings = screen_settings(screen), .most = -1, .last = -1};
     if (!body_of(sim, &family->body) || sim->counts[0] == 0)
         return false;
+    family->s0 = settings_bonds(family->settings)->critical_stretch;
     family->node = screen->chosen.particle < sim->counts[0] ? screen->chosen.particle : sim->counts[0] - 1;
     family->i = (int)(family->node % (size_t)family->body.nx);
     family->j = (int)(family->node / (size_t)family->body.nx);
@@ -154,17 +156,12 @@ static bool family_of(Family *family, const Screen *screen)
     return family->reach <= AROUND_MAX;
 }
 
-static double critical_stretch(const Family *family)
-{
-    return settings_bonds(family->settings)->critical_stretch;
-}
-
 /* --- the family around it ---------------------------------------------------------------------------- */
 
 static void describe_around(const Family *family, PictureAround *around)
 {
     const int reach = around->reach = family->reach;
-    const double s0 = critical_stretch(family);
+    const double s0 = family->s0;
     double most = 0;
     for (int k = 0; k < family->count; k++)
         most = fmax(most, family->links[k].broken ? 0 : fabs(family->links[k].stretch));
@@ -206,21 +203,17 @@ static void describe_around(const Family *family, PictureAround *around)
 /* "s = 0.0003878 = 45.6 % of s0 = 0.00085" */
 static void note_stretch(const Family *family, const Link *link, Picture *picture)
 {
-    const double s0 = critical_stretch(family);
-    char text[96];
-    snprintf(text, sizeof text, "s = %s", text_fitted(link->stretch, 4, 12).text);
-    if (s0 > 0)
-        text_append(text, sizeof text, " = %s %% of s0 = %s",
-                    text_fitted(100 * link->stretch / s0, 4, 8).text, text_fitted(s0, 4, 12).text);
-    picture_note(picture, STYLE_CHANGED, "%s", text);
+    picture_note(picture, STYLE_CHANGED, family->s0 > 0 ? "s = %s = %s %% of s0 = %s" : "s = %s",
+                 text_fitted(link->stretch, 4, 12).text,
+                 text_fitted(family->s0 > 0 ? 100 * link->stretch / family->s0 : 0, 4, 8).text,
+                 text_fitted(family->s0, 4, 12).text);
 }
 
 static const char *why_it_holds(const Family *family, const Link *link)
 {
-    const double s0 = critical_stretch(family);
-    if (s0 <= 0)
+    if (family->s0 <= 0)
         return "holds: bonds never break here (s0 = 0)";
-    if (link->stretch < s0)
+    if (link->stretch < family->s0)
         return "holds: below s0";
     if (simulation_named(family->sim, 0, "protected", family->node) > 0 ||
         simulation_named(family->sim, 0, "protected", link->index) > 0)

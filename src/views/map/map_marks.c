@@ -72,62 +72,6 @@ static void draw_notch(Map *map)
     }
 }
 
-/* --- lines ---------------------------------------------------------------------------------------- */
-
-static void add_rows(Map *map);
-
-void map_add_lines(Map *map)
-{
-    if (map->scene.leaves) {
-        /* Its walls stand still, above and below the beam. */
-        const double half = map->body.size[1] / 2, begin = -settings_motion(map->settings)->channel;
-        for (int side = 1; side >= -1; side -= 2)
-            picture_trace(map->picture, (double[]){begin, side * half}, (double[]){0, side * half},
-                          &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
-    }
-    ShownRun before[RUNS_MAX];
-    const int n_before = map_cracks_before(map, before);
-    for (int i = n_before - 1; i >= 0; i--) {
-        /* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
-        enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
-        const Stroke pen = {
-            .line = LINE_DASHED, .style = before[i].style, .rank = RANK_BEFORE, .letter = '"'};
-        const CrackLine *crack = before[i].crack;
-        double from[2] = {0, 0};
-        for (size_t j = 0; j < crack->count; j++) {
-            const double to[2] = {crack->x[j], crack->y[j]};
-            const double dots = DOTS * math_hypot(to[0] - from[0], to[1] - from[1]) * map->drawn->scale[0];
-            const bool last = j + 1 == crack->count || crack->begins[j + 1];
-            if (!crack->begins[j] && dots < 2 * EVERY && !last)
-                continue;
-            if (!crack->begins[j])
-                map_body_line(map, from, to, pen);
-            from[0] = to[0], from[1] = to[1];
-        }
-    }
-    if (map->scene.notched)
-        draw_notch(map);
-    if (!map->scene.bodies)
-        add_rows(map);
-    /* What the lines are. */
-    Picture *picture = map->picture;
-    if (map->scene.pressed)
-        picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
-    for (int i = 0; i < n_before; i++) {
-        char name[sizeof before[i].word + 16];
-        snprintf(name, sizeof name, "crack, %s", before[i].word);
-        picture_key(picture,
-                    (PictureKey){LINE_DASHED, '"', before[i].style, name, (uint32_t)before[i].key[0], 0});
-    }
-    if (map->scene.pressed && screen_shows_exact(map->screen))
-        picture_key(picture,
-                    (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
-    if (map->scene.pressed) {
-        picture_key(picture, (PictureKey){LINE_SOLID, '|', STYLE_HEADING, "notch", 0, 0});
-        picture_key(picture, (PictureKey){LINE_DASHED, '~', STYLE_FRAME, "protected", 0, 0});
-    }
-}
-
 /* --- signs ---------------------------------------------------------------------------------------- */
 
 enum { SUPPORT_FIXED = 0x25b2, SUPPORT_ROLLER = 0x25cb, LOAD = 0x25bc };
@@ -151,39 +95,6 @@ static const PictureMark *add_flagged(Map *map, const char *name, int row, int s
                                            side ? MARK_STANDS : MARK_PLACE, .side = {0, (signed char)side}});
     free(flags);
     return map->picture->n_marks > before ? &map->picture->marks[map->picture->n_marks - 1] : NULL;
-}
-
-static void add_row_signs(Map *map);
-
-void map_add_signs(Map *map)
-{
-    const bool by_rows = settings_have_rows(map->settings, ROWS_PROBE); /* loads and supports too */
-    if (!by_rows) {
-        /* Arrows on the loaded nodes; beside them how much of the load has come. */
-        const Settings *settings = map->settings;
-        const PictureMark *last = add_flagged(map, "loaded", map->body.ny - 1, 1, LOAD, LOAD);
-        if (last) {
-            const double time = simulation_time(map->sim);
-            const double share =
-                settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
-            picture_label(map->picture, last->x, last->y, 1, STYLE_NORMAL,
-                          share < 1 ? "%s MPa x %.2f" : "%s MPa",
-                          text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text, share);
-        }
-    }
-    if (!map->scene.leaves && !by_rows) {
-        /* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
-        const uint32_t left = map->scene.pinned ? SUPPORT_FIXED : SUPPORT_ROLLER;
-        const int middle = (map->body.ny - 1) / 2;
-        add_flagged(map, "held", 0, -1, left, SUPPORT_ROLLER);
-        add_flagged(map, "held", middle, middle == 0 ? -1 : 0, left, SUPPORT_ROLLER);
-    }
-    add_row_signs(map);
-    const Screen *screen = map->screen;
-    const size_t node = screen->chosen.particle;
-    if (node < map->body.count && !screen_is_running(screen))
-        picture_add_mark(map->picture, (PictureMark){map->drawn->x[node], map->drawn->y[node], 0x25a0,
-                                                     STYLE_CHANGED, .kind = MARK_CHOSEN});
 }
 
 /* --- rows of a plate ------------------------------------------------------------------------------ */
@@ -326,4 +237,89 @@ static void add_row_signs(Map *map)
             picture_add_mark(map->picture,
                              (PictureMark){place[0], place[1], END, STYLE_CHANGED, .kind = MARK_CHOSEN});
         }
+}
+
+/* --- all of them ----------------------------------------------------------------------------------- */
+
+void map_add_lines(Map *map)
+{
+    if (map->scene.leaves) {
+        /* Its walls stand still, above and below the beam. */
+        const double half = map->body.size[1] / 2, begin = -settings_motion(map->settings)->channel;
+        for (int side = 1; side >= -1; side -= 2)
+            picture_trace(map->picture, (double[]){begin, side * half}, (double[]){0, side * half},
+                          &(Stroke){.style = STYLE_HEADING, .rank = RANK_WALL, .letter = '=', .wall = side});
+    }
+    ShownRun before[RUNS_MAX];
+    const int n_before = map_cracks_before(map, before);
+    for (int i = n_before - 1; i >= 0; i--) {
+        /* Notch or cuts and paths, dashed, where they were in the body; in pieces long enough for a gap. */
+        enum { EVERY = 2, DOTS = 2 }; /* in the width of a cell */
+        const Stroke pen = {
+            .line = LINE_DASHED, .style = before[i].style, .rank = RANK_BEFORE, .letter = '"'};
+        const CrackLine *crack = before[i].crack;
+        double from[2] = {0, 0};
+        for (size_t j = 0; j < crack->count; j++) {
+            const double to[2] = {crack->x[j], crack->y[j]};
+            const double dots = DOTS * math_hypot(to[0] - from[0], to[1] - from[1]) * map->drawn->scale[0];
+            const bool last = j + 1 == crack->count || crack->begins[j + 1];
+            if (!crack->begins[j] && dots < 2 * EVERY && !last)
+                continue;
+            if (!crack->begins[j])
+                map_body_line(map, from, to, pen);
+            from[0] = to[0], from[1] = to[1];
+        }
+    }
+    if (map->scene.notched)
+        draw_notch(map);
+    if (!map->scene.bodies)
+        add_rows(map);
+    /* What the lines are. */
+    Picture *picture = map->picture;
+    if (map->scene.pressed)
+        picture_key(picture, (PictureKey){LINE_SOLID, '*', STYLE_CHANGED, "crack's path", 0, 0});
+    for (int i = 0; i < n_before; i++) {
+        char name[sizeof before[i].word + 16];
+        snprintf(name, sizeof name, "crack, %s", before[i].word);
+        picture_key(picture,
+                    (PictureKey){LINE_DASHED, '"', before[i].style, name, (uint32_t)before[i].key[0], 0});
+    }
+    if (map->scene.pressed && screen_shows_exact(map->screen))
+        picture_key(picture,
+                    (PictureKey){LINE_DOTTED, '\'', STYLE_FAINT, "30° from the notch (paper)", 0, 0});
+    if (map->scene.pressed) {
+        picture_key(picture, (PictureKey){LINE_SOLID, '|', STYLE_HEADING, "notch", 0, 0});
+        picture_key(picture, (PictureKey){LINE_DASHED, '~', STYLE_FRAME, "protected", 0, 0});
+    }
+}
+
+void map_add_signs(Map *map)
+{
+    const bool by_rows = settings_have_rows(map->settings, ROWS_PROBE); /* loads and supports too */
+    if (!by_rows) {
+        /* Arrows on the loaded nodes; beside them how much of the load has come. */
+        const Settings *settings = map->settings;
+        const PictureMark *last = add_flagged(map, "loaded", map->body.ny - 1, 1, LOAD, LOAD);
+        if (last) {
+            const double time = simulation_time(map->sim);
+            const double share =
+                settings_loads(settings)->ramp > 0 ? fmin(1, time / settings_loads(settings)->ramp) : 1;
+            picture_label(map->picture, last->x, last->y, 1, STYLE_NORMAL,
+                          share < 1 ? "%s MPa x %.2f" : "%s MPa",
+                          text_fitted(settings_loads(settings)->stress * 1e-6, 4, 8).text, share);
+        }
+    }
+    if (!map->scene.leaves && !by_rows) {
+        /* A support that holds both ways is a triangle, one that lets the beam slide a roller. */
+        const uint32_t left = map->scene.pinned ? SUPPORT_FIXED : SUPPORT_ROLLER;
+        const int middle = (map->body.ny - 1) / 2;
+        add_flagged(map, "held", 0, -1, left, SUPPORT_ROLLER);
+        add_flagged(map, "held", middle, middle == 0 ? -1 : 0, left, SUPPORT_ROLLER);
+    }
+    add_row_signs(map);
+    const Screen *screen = map->screen;
+    const size_t node = screen->chosen.particle;
+    if (node < map->body.count && !screen_is_running(screen))
+        picture_add_mark(map->picture, (PictureMark){map->drawn->x[node], map->drawn->y[node], 0x25a0,
+                                                     STYLE_CHANGED, .kind = MARK_CHOSEN});
 }
