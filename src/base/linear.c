@@ -13,6 +13,7 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,15 +35,9 @@ static double reach_of(const Band *band)
     return most;
 }
 
-/* How far a search has come, for who may cancel it. */
-typedef struct Search {
-    const Cancel *cancel;
-    double share;
-    bool given_up;
-} Search;
-
-/* A pivot smaller than `least` is replaced by it, which changes the matrix by no more than its rounding. */
-static size_t count_below(const Band *band, double x, double least, Search *search)
+/* A pivot smaller than `least` is replaced by it, which changes the matrix by no more than its rounding.
+ * SIZE_MAX: given up. */
+static size_t count_below(const Band *band, double x, double least, const Cancel *cancel, double share)
 {
     enum { ROWS = BAND_WIDTH_MAX + 1, PRODUCTS_BETWEEN_QUESTIONS = 2000000 }; /* a few milliseconds */
     double lower[ROWS][ROWS]; /* the last rows of L, left of the diagonal: [d] is column i - d */
@@ -54,10 +49,8 @@ static size_t count_below(const Band *band, double x, double least, Search *sear
     for (size_t i = 0; i < band->size; i++) {
         double *row = lower[place], pivot = entry(band, i, 0) - x;
         const size_t left = i < width ? i : width;
-        if (i % rows_a_question == 0 && cancel_requested(search->cancel, search->share)) {
-            search->given_up = true;
-            return 0;
-        }
+        if (i % rows_a_question == 0 && cancel_requested(cancel, share))
+            return SIZE_MAX;
         for (size_t d = left; d >= 1; d--) {
             const size_t there = place >= d ? place - d : place + kept - d;
             const double *other = lower[there];
@@ -85,14 +78,12 @@ double band_eigenvalue(const Band *band, size_t number, const Cancel *cancel)
     enum { HALVINGS = 56 }; /* of 2 to eps/4, about */
     double high = reach_of(band), low = -high;
     const double rounding = DBL_EPSILON * high;
-    Search search = {.cancel = cancel};
     for (int k = 0; high - low > rounding / 4; k++) {
         double middle = low + (high - low) / 2;
         if (!(middle > low && middle < high))
             break;
-        search.share = fmin((k + 1.0) / HALVINGS, 1);
-        const size_t below = count_below(band, middle, rounding, &search);
-        if (search.given_up) {
+        const size_t below = count_below(band, middle, rounding, cancel, fmin((k + 1.0) / HALVINGS, 1));
+        if (below == SIZE_MAX) {
             errno = ECANCELED;
             return NAN;
         }

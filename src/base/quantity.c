@@ -169,17 +169,6 @@ static bool is_bounded(Reader *reader, const Value *value)
     return bounded || fail(reader, "is not a number");
 }
 
-static bool to_power(Reader *reader, Value *value, int power)
-{
-    if (power < 0 && value->number == 0)
-        return fail(reader, "divides by zero");
-    value->number = math_pow(value->number, power);
-    value->tens *= power;
-    for (int i = 0; i < BASES; i++)
-        value->bases[i] *= power;
-    return is_bounded(reader, value);
-}
-
 static bool multiply(Reader *reader, Value *value, const Value *other, bool divides)
 {
     if (divides && other->number == 0)
@@ -210,7 +199,13 @@ static bool apply(Grammar *grammar, GrammarVerb verb, int power)
     case VERB_DIVIDE:
         return multiply(reader, value, last, verb == VERB_DIVIDE);
     case VERB_POWER:
-        return to_power(reader, value, power);
+        if (power < 0 && value->number == 0)
+            return fail(reader, "divides by zero");
+        value->number = math_pow(value->number, power);
+        value->tens *= power;
+        for (int i = 0; i < BASES; i++)
+            value->bases[i] *= power;
+        return is_bounded(reader, value);
     case VERB_PERCENT:
         value->tens -= 2;
         return true;

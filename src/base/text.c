@@ -65,12 +65,7 @@ NumberText text_limit(double most, int digits)
     return text_rounded(read - math_pow(10, floor(math_log10(fabs(most))) - digits + 1), digits);
 }
 
-static bool only_spaces(const char *text)
-{
-    while (isspace((unsigned char)*text))
-        text++;
-    return *text == '\0';
-}
+static const char spaces[] = " \t\n\v\f\r";
 
 bool text_to_double(const char *text, double *value)
 {
@@ -80,7 +75,7 @@ bool text_to_double(const char *text, double *value)
             return false;
     char *end;
     double read = strtod(text, &end);
-    if (end == text || !only_spaces(end) || !isfinite(read))
+    if (end == text || end[strspn(end, spaces)] || !isfinite(read))
         return false;
     *value = read;
     return true;
@@ -93,7 +88,7 @@ bool text_to_long(const char *text, long *value)
     long read = strtol(text, &end, 10);
     const bool fits = errno == 0;
     shortage_end(before);
-    if (end == text || !only_spaces(end) || !fits)
+    if (end == text || end[strspn(end, spaces)] || !fits)
         return false;
     *value = read;
     return true;

@@ -19,23 +19,6 @@ const Problem *problem_find(const char *word)
     return NULL;
 }
 
-/* The series gets the columns of the things that are followed. */
-static bool follow_all(const Settings *settings, Simulation *sim, Status *status)
-{
-    const char *rest = settings_output(settings)->follow;
-    for (rest += strspn(rest, " ,"); *rest; rest += strspn(rest, " ,")) {
-        char thing[FOLLOW_TEXT_MAX];
-        size_t length = strcspn(rest, ",");
-        snprintf(thing, sizeof thing, "%.*s", (int)length, rest);
-        for (size_t end = strlen(thing); end > 0 && thing[end - 1] == ' ';)
-            thing[--end] = '\0';
-        rest += length;
-        if (!simulation_follow(sim, thing, status))
-            return status_prefix(status, "output.follow");
-    }
-    return true;
-}
-
 Simulation *problem_simulate(const Settings *settings, int threads, Status *status)
 {
     ASSERT_INT(threads, >=, 1);
@@ -43,10 +26,22 @@ Simulation *problem_simulate(const Settings *settings, int threads, Status *stat
         return NULL;
     Simulation *sim =
         problem_solver(settings->problem, settings->method)->simulate(settings, threads, status);
-    if (sim)
-        simulation_ask_columns(sim, settings_output(settings)->columns);
-    if (!sim || (problem_check_steps(settings_time(settings)->end, sim->dt, status) &&
-                 follow_all(settings, sim, status)))
+    if (!sim)
+        return NULL;
+    simulation_ask_columns(sim, settings_output(settings)->columns);
+    bool sound = problem_check_steps(settings_time(settings)->end, sim->dt, status);
+    /* the series gets the columns of the things that are followed */
+    const char *rest = settings_output(settings)->follow;
+    for (rest += strspn(rest, " ,"); sound && *rest; rest += strspn(rest, " ,")) {
+        char thing[FOLLOW_TEXT_MAX];
+        size_t length = strcspn(rest, ",");
+        snprintf(thing, sizeof thing, "%.*s", (int)length, rest);
+        for (size_t end = strlen(thing); end > 0 && thing[end - 1] == ' ';)
+            thing[--end] = '\0';
+        rest += length;
+        sound = simulation_follow(sim, thing, status) || status_prefix(status, "output.follow");
+    }
+    if (sound)
         return sim;
     simulation_destroy(sim);
     return NULL;

@@ -42,28 +42,22 @@ static bool at_line(const Source *source, const Entry *entry, Status *status)
     return status_prefix(status, "%s:%d", source->file, entry->line);
 }
 
-static bool same_key(const Entry *a, const Entry *b)
-{
-    if (strcmp(a->section, b->section) != 0 || strcmp(a->name, b->name) != 0)
-        return false;
-    if (strcmp(a->section, "changes") != 0)
-        return true;
-    /* several parameters may change in one step, each once */
-    size_t n = strcspn(a->value, " ="), m = strcspn(b->value, " =");
-    return n == m && strncmp(a->value, b->value, n) == 0;
-}
-
 static bool check_twice(const Source *source, Status *status)
 {
     const Entry *all = source->entries.all;
     for (int i = 0; i < source->entries.count; i++)
-        for (int j = 0; j < i; j++)
-            if (same_key(&all[i], &all[j])) {
-                char key[80];
-                full_key(&all[i], key);
-                status_refuse(status, "%s: is given twice (first in line %d)", key, all[j].line);
-                return at_line(source, &all[i], status);
-            }
+        for (int j = 0; j < i; j++) {
+            /* several parameters may change in one step, each once */
+            const bool change = strcmp(all[i].section, "changes") == 0;
+            const size_t n = strcspn(all[i].value, " ="), m = strcspn(all[j].value, " =");
+            char key[80];
+            if (strcmp(all[i].section, all[j].section) != 0 || strcmp(all[i].name, all[j].name) != 0 ||
+                (change && (n != m || strncmp(all[i].value, all[j].value, n) != 0)))
+                continue;
+            full_key(&all[i], key);
+            status_refuse(status, "%s: is given twice (first in line %d)", key, all[j].line);
+            return at_line(source, &all[i], status);
+        }
     const Entry *stretch = find_entry(source, "pd", "critical_stretch");
     const Entry *energy = find_entry(source, "pd", "critical_energy");
     if (stretch && energy) {

@@ -89,12 +89,6 @@ static bool is_place(RowValue value)
     return value == ROW_ALONG_X || value == ROW_ALONG_Y || value == ROW_ALONG_EDGE;
 }
 
-static bool is_share(const char *word)
-{
-    const size_t length = strlen(word);
-    return length > 1 && word[length - 1] == '%' && strchr(word, '%') == word + length - 1;
-}
-
 static bool read_number(const RowColumn *column, const char *word, bool share, double *value,
                         const char *about, Status *status)
 {
@@ -126,7 +120,8 @@ bool row_read_value(const RowKind *kind, int index, const char *word, Row *row, 
     ASSERT_INDEX(index, kind->n_columns);
     const RowColumn *column = &kind->columns[index];
     const unsigned bit = 1u << index;
-    const bool share = is_place(column->value) && is_share(word);
+    const char *sign = strchr(word, '%'); /* behind all of a share */
+    const bool share = is_place(column->value) && sign && sign > word && !sign[1];
     const char *const *words = row_words(column->value);
     double value = 0;
     if (words) {

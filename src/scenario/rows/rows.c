@@ -47,23 +47,9 @@ static void key_of(const RowKind *kind, const char *name, char out[KEY_MAX])
     snprintf(out, KEY_MAX, "%s%s%.*s", kind->section, *name ? "." : "", ROW_NAME_MAX, name);
 }
 
-static bool check_name(const RowKind *kind, const char *name, const char *about, Status *status)
-{
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-    if (kind->usual)
-        return !*name || status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
-    if (kind->plain_names && !(*name >= 'a' && *name <= 'z' && !strpbrk(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ-")))
-        return status_refuse(
-            status, "%s: is not allowed as the name of a %s (a letter a to z, then a to z, 0 to 9 and _)",
-            about, kind->one);
-    if (*name && strlen(name) < ROW_NAME_MAX && name[strspn(name, letters)] == '\0')
-        return true;
-    return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", about,
-                         kind->one, ROW_NAME_MAX - 1);
-}
-
 bool settings_row_set(Settings *settings, int index, const char *name, const char *text, Status *status)
 {
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     ASSERT_INDEX(index, ROW_KINDS);
     const RowKind *kind = &row_kinds[index];
     RowList *list = &settings->rows[index];
@@ -72,8 +58,15 @@ bool settings_row_set(Settings *settings, int index, const char *name, const cha
     if (!settings_have_rows(settings, index))
         return status_refuse(status, "%s: problem %s has no %s (only: %s)", about, settings->problem->word,
                              kind->section, kind->concern == CONCERN_PLATE ? "plate" : "bodies");
-    if (!check_name(kind, name, about, status))
-        return false;
+    if (kind->usual && *name)
+        return status_refuse(status, "%s: has no rows with names (%s)", about, kind->form);
+    if (kind->plain_names && !(*name >= 'a' && *name <= 'z' && !strpbrk(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ-")))
+        return status_refuse(
+            status, "%s: is not allowed as the name of a %s (a letter a to z, then a to z, 0 to 9 and _)",
+            about, kind->one);
+    if (!kind->usual && (!*name || strlen(name) >= ROW_NAME_MAX || name[strspn(name, letters)]))
+        return status_refuse(status, "%s: invalid name of a %s (1 to %d letters, digits, _ and -)", about,
+                             kind->one, ROW_NAME_MAX - 1);
     int at = settings_row_find(settings, index, name);
     if (at < 0 && list->count == ROWS_OF_KIND_MAX)
         return status_refuse(status, "%s: too many %s (at most %d)", about, kind->section, ROWS_OF_KIND_MAX);
