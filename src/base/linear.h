@@ -10,6 +10,7 @@
 
 #include "base/cancel.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { BAND_WIDTH_MAX = 32 };

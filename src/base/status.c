@@ -5,6 +5,7 @@
 #include "base/visible.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 static void fill(Status *status, StatusCode code, const char *format, va_list arguments)

@@ -11,6 +11,7 @@
 #include "theory/pd_waves.h"
 
 #include <math.h>
+#include <stdio.h>
 
 BeamDef bar_pd_definition(const Settings *settings)
 {

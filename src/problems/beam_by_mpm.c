@@ -8,6 +8,7 @@
 #include "problems/solver.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* The plane problem's own period belongs to ends that are held as whole sections. */

@@ -21,6 +21,7 @@
 #include "problems/bodies_answers.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

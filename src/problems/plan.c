@@ -6,6 +6,7 @@
 #include "scenario/concern_time.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

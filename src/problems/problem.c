@@ -9,6 +9,7 @@
 #include "scenario/parameters.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 const Problem *problem_find(const char *word)

@@ -12,6 +12,8 @@
 #include "base/cancel.h"
 #include "scenario/assignment.h"
 
+#include <stdbool.h>
+
 typedef struct Run {
     const Settings *settings; /* the values at t = 0 and the changes in mid-run, the caller's */
     Simulation *sim;          /* the run's own */

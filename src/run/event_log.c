@@ -4,6 +4,7 @@
 #include "scenario/changes.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static void add(Event *events, int *count, int most, long step, EventKind kind, const char *text)

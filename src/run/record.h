@@ -8,6 +8,9 @@
 
 #include "methods/method.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 typedef struct Record {
     double *rows; /* count x n_columns; column 0 is the step, column 1 the time */
     size_t count, room, most;

@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* What can happen, and what a run must have for it. */

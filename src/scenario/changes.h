@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "scenario/assignment.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct Simulation Simulation; /* methods/method.h */

@@ -7,6 +7,8 @@
 #include "base/status.h"
 #include "scenario/assignment.h"
 
+#include <stdbool.h>
+
 /* What a mode starts with on a bar of two materials: the sine of a bar of one, or the mode as it is. */
 typedef enum StartShape { SHAPE_SINE, SHAPE_EXACT } StartShape;
 

@@ -8,6 +8,9 @@
 #include "problems/problem.h"
 #include "scenario/rows/rows.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 typedef enum ParameterType {
     PARAMETER_REAL,
     PARAMETER_INTEGER,

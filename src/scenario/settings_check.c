@@ -6,6 +6,7 @@
 #include "scenario/settings_values.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 

@@ -8,6 +8,7 @@
 #include "base/visible.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 bool settings_in_range(const Parameter *parameter, const Problem *problem, double value)

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
+#include <stdbool.h>
 
 static const double kappa = 5.0 / 6;
 

@@ -7,6 +7,7 @@
 #include "problems/problem.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 #include <math.h>
 

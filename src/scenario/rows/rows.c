@@ -8,6 +8,7 @@
 #include "scenario/settings.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 int row_kind_find(const char *section)

@@ -16,6 +16,8 @@
 
 #include "base/status.h"
 
+#include <stdbool.h>
+
 typedef struct Settings Settings; /* settings.h */
 
 enum {
