@@ -155,16 +155,12 @@ bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
 void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void laboratory_tell(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* `:fit KEY,...`: the parameters with which the run agrees best with the series that lies over it. */
-
-/* Searches, says how far it has come meanwhile, and has the run made again with what was found; one undo
- * takes it back. What was found, its intervals and the residuals are said. */
+/* `:fit KEY,...` searches the parameters with which the run agrees best with the series that lies over it,
+ * and has the run made again with them; one undo takes it back. Intervals and residuals are said. */
 bool fitting_answer(Laboratory *, const char *words, Status *);
 
-/* `:diagnose FILE`: which code made the numbers of a file, as against the scenario on screen. */
-
-/* What is found is said in the box, and a series lies over the plots from then on. The run on screen stays as
- * it is. */
+/* `:diagnose FILE`: which code made the numbers of a file, as against the scenario on screen, is said in the
+ * box, and a series lies over the plots from then on. The run on screen stays as it is. */
 bool fitting_diagnose(Laboratory *, const char *words, Status *);
 
 /* Whether a study on screen lacks points and nothing else goes on. */
@@ -176,8 +172,6 @@ void refining_work(Laboratory *);
 /* False: there is nothing to stop. */
 bool refining_stop(Laboratory *);
 
-/* Opening a scenario: its run is made, and put in the place of another. */
-
 /* Its simulation shows on the screen how far its building has come, now and when it is made again. */
 Experiment *opening_experiment(Laboratory *, const Settings *, Status *);
 
@@ -186,17 +180,13 @@ Experiment *opening_experiment(Laboratory *, const Settings *, Status *);
 void opening_begin(Laboratory *, Experiment *);
 void opening_name(Laboratory *, const char *name);
 
-/* Another scenario in the place of this one, or its coarse form, which is then said. */
+/* Another scenario in the place of this one, or its coarse form, which is then said; at full size, "" that of
+ * which this is the coarse form. */
 bool opening_answer(Laboratory *, const char *text, Status *);
-
-/* The same at full size; "": that of which this is the coarse form. */
 bool opening_whole(Laboratory *, const char *text, Status *);
-
-/* Says that this is the coarse form of what was asked for. */
-void opening_tell_coarse(Laboratory *);
+void opening_tell_coarse(Laboratory *); /* says that this is the coarse form of what was asked for */
 
 /* Asks which scenario is opened, with a list to choose from. */
-
 void opening_ask(Laboratory *);
 
 #endif

@@ -132,23 +132,6 @@ static void rate_text(const Screen *screen, bool brief, char *out, size_t size)
         text_append(out, size, "about %.0f min left ", ceil(seconds / 60));
 }
 
-/* The heading of the box says what the run is about, where the title line has no room for that; else what the
- * lines are. */
-static void draw_caption_heading(const Screen *screen, Area area, const char *lines, bool has_headline)
-{
-    const Settings *settings = screen_settings(screen);
-    const char *text = has_headline ? lines : settings->title[0] ? settings->title : settings->problem->title;
-    area_rule(area, text, STYLE_HEADING);
-    char rate[64];
-    for (int brief = 0; brief < 2; brief++) {
-        rate_text(screen, brief, rate, sizeof rate);
-        if (5 + glyphs_columns(text) + glyphs_columns(rate) + 2 <= area.rect.width) {
-            area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
-            return;
-        }
-    }
-}
-
 /* What happened last or, as long as nothing has, what is advised; false: neither. */
 static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
 {
@@ -177,8 +160,18 @@ static void draw_caption(const Screen *screen, Area area)
         line_words(screen, true, lines, sizeof lines);
     const bool in_heading =
         title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
-    draw_caption_heading(screen, area, lines, in_heading);
-
+    /* The heading of the box says what the run is about, where the title line has no room for that; else what
+     * the lines are. */
+    const Settings *settings = screen_settings(screen);
+    const char *title = settings->title[0] ? settings->title : settings->problem->title;
+    const char *heading = in_heading ? lines : title;
+    char rate[64];
+    area_rule(area, heading, STYLE_HEADING);
+    rate_text(screen, false, rate, sizeof rate);
+    if (5 + glyphs_columns(heading) + glyphs_columns(rate) + 2 > area.rect.width)
+        rate_text(screen, true, rate, sizeof rate);
+    if (5 + glyphs_columns(heading) + glyphs_columns(rate) + 2 <= area.rect.width)
+        area_text_right(area, area.rect.width - 1, 0, rate, STYLE_FAINT);
     int last = rows - 1, y = 1;
     Style style;
     const bool has_news = news_of(screen, news, sizeof news, &style);
@@ -204,7 +197,7 @@ static void draw_caption(const Screen *screen, Area area)
     char about[ABOUT_MAX];
     /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
      * have left, or be hidden. */
-    memcpy(about, screen_settings(screen)->about, ABOUT_MAX);
+    memcpy(about, settings->about, ABOUT_MAX);
     if (!(drawn >> LINE_DOTTED & 1))
         drop_sentences(about, "otted");
     if (!(drawn >> LINE_DASHED & 1))

@@ -16,17 +16,6 @@ static bool passes(const ParametersShown *shown, const char *label, const char *
     return strcasestr(label, shown->filter) || strcasestr(key, shown->filter);
 }
 
-/* Whether a derived number is one of the fields too. */
-static bool is_field(const Derived *derived, const Problem *problem)
-{
-    for (int i = 0; i < n_parameters; i++) {
-        const char *point = strchr(parameters[i].key, '.');
-        if (point && strcmp(point + 1, derived->name) == 0 && parameter_applies(&parameters[i], problem))
-            return true;
-    }
-    return false;
-}
-
 /* The rows of a plate of one kind under its section's name, and a place for a new one. */
 static int add_rows(const Screen *screen, int kind, ParameterRow *rows, int room)
 {
@@ -94,8 +83,13 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     int n_derived = experiment_derived(screen->experiment, derived);
     bool begun = false;
     for (int i = 0; i < n_derived && count + 1 < PARAMETER_ROWS_MAX; i++) {
-        if (is_field(&derived[i], settings->problem) ||
-            !passes(screen->parameters, derived[i].label, derived[i].name))
+        bool is_field = false; /* too */
+        for (int k = 0; k < n_parameters && !is_field; k++) {
+            const char *point = strchr(parameters[k].key, '.');
+            is_field = point && strcmp(point + 1, derived[i].name) == 0 &&
+                       parameter_applies(&parameters[k], settings->problem);
+        }
+        if (is_field || !passes(screen->parameters, derived[i].label, derived[i].name))
             continue;
         if (!begun)
             rows[count++] = (ParameterRow){.heading = "Follows from these", .derived = -1};

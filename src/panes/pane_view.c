@@ -176,16 +176,6 @@ long view_enter(const View *view, Screen *screen, char follow[FOLLOW_TEXT_MAX])
     return step;
 }
 
-/* What a picture shows in a cell of its pane; set -1: nothing. */
-static PictureThing thing_at(const Picture *picture, Rect rect, int x, int y)
-{
-    if (picture->kind == PICTURE_TABLES)
-        return cells_thing(picture, rect, x, y);
-    const long piece = picture->map ? cells_map_piece(picture, rect, x, y) : -1;
-    const PictureMark *mark = picture->map ? NULL : cells_target(picture, rect, x, y);
-    return mark ? mark->thing : piece >= 0 ? (PictureThing){0, (size_t)piece} : (PictureThing){.set = -1};
-}
-
 bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
 {
     Picture picture;
@@ -193,7 +183,14 @@ bool view_click(const View *view, Screen *screen, Rect rect, int x, int y)
         return false;
     describe_in(view, screen, rect, &picture);
     const long row = picture.list ? cells_row(&picture, rect, x, y) : -1;
-    const PictureThing thing = picture.list ? (PictureThing){.set = -1} : thing_at(&picture, rect, x, y);
+    PictureThing thing = {.set = -1}; /* nothing */
+    if (!picture.list && picture.kind == PICTURE_TABLES) {
+        thing = cells_thing(&picture, rect, x, y);
+    } else if (!picture.list) {
+        const long piece = picture.map ? cells_map_piece(&picture, rect, x, y) : -1;
+        const PictureMark *mark = picture.map ? NULL : cells_target(&picture, rect, x, y);
+        thing = mark ? mark->thing : piece >= 0 ? (PictureThing){0, (size_t)piece} : thing;
+    }
     if (row >= 0 && picture.list->set < 0)
         screen->log.first = (int)cells_top(&picture, rect);
     if (row >= 0)

@@ -36,26 +36,19 @@ static bool answer_again(Laboratory *lab, const char *text, Status *status)
     return true;
 }
 
-/* A run that is soon computed again begins again at once; one that took long is not thrown away by a slip. */
-static void run_again(Laboratory *lab)
-{
-    const double rate = lab->player.rates[RATE_RUN];
-    double seconds = rate > 0 ? (double)experiment_last_step(laboratory_run(lab)) / rate : 0;
-    if (seconds < AGAIN_SECONDS) {
-        begin_again(lab, true);
-        return;
-    }
-    prompt_ask(lab, answer_again, &prompt_yes_no, "", "run again from t = 0? it takes about %s s",
-               text_rounded(seconds, 2).text);
-}
-
 void command_run_or_pause(Laboratory *lab)
 {
     if (lab->player.playback.slow)
         player_pause(lab);
-    else if (lab->player.playback.state == STATE_ENDED)
-        run_again(lab);
-    else if (lab->player.playback.state == STATE_FAILED)
+    else if (lab->player.playback.state == STATE_ENDED) {
+        const double rate = lab->player.rates[RATE_RUN];
+        const double seconds = rate > 0 ? (double)experiment_last_step(laboratory_run(lab)) / rate : 0;
+        if (seconds < AGAIN_SECONDS)
+            begin_again(lab, true);
+        else
+            prompt_ask(lab, answer_again, &prompt_yes_no, "", "run again from t = 0? it takes about %s s",
+                       text_rounded(seconds, 2).text);
+    } else if (lab->player.playback.state == STATE_FAILED)
         laboratory_tell(lab, "the run cannot go on: change a parameter, step back, or r to begin again");
     else if (lab->player.playback.state == STATE_COMPUTING)
         /* on the way to another place the key says what comes then */

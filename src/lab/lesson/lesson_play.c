@@ -156,25 +156,6 @@ static void open_from_list(Laboratory *lab, int lesson)
 
 /* --- pages ------------------------------------------------------------------------------------------ */
 
-/* At the end of a lesson comes the next one, after the last the list; a file has none. */
-static void open_next(Laboratory *lab)
-{
-    int next = 0;
-    while (builtin_lessons[next].name && strcmp(builtin_lessons[next].name, lab->play.name) != 0)
-        next++;
-    /* a file of one's own has no place among them */
-    const bool known = builtin_lessons[next].name != NULL;
-    const bool more = known && ++next < screen_lesson_count();
-    if (!known) {
-        laboratory_tell(lab, "that was the last page; T closes the lesson");
-        return;
-    }
-    lesson_play_close(lab);
-    lesson_play_toggle(lab);
-    if (more)
-        open_from_list(lab, next);
-}
-
 /* `unasked`: whatever the page waits for. */
 static void turn_page(Laboratory *lab, int direction, bool unasked)
 {
@@ -194,7 +175,17 @@ static void turn_page(Laboratory *lab, int direction, bool unasked)
     } else if (shown->page + direction < 0) {
         laboratory_tell(lab, "this is the first page");
     } else if (shown->page + direction == shown->lesson->n_pages) {
-        open_next(lab);
+        /* At the end of a lesson comes the next one, after the last the list; a file has none. */
+        int next = 0;
+        while (builtin_lessons[next].name && strcmp(builtin_lessons[next].name, lab->play.name) != 0)
+            next++;
+        if (builtin_lessons[next].name) {
+            lesson_play_close(lab);
+            lesson_play_toggle(lab);
+            open_from_list(lab, next + 1);
+        } else {
+            laboratory_tell(lab, "that was the last page; T closes the lesson");
+        }
     } else {
         lesson_entry_show(lab, shown->page + direction);
     }

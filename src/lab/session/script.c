@@ -303,7 +303,7 @@ static bool play(Script *script, FILE *file, const char *name, Status *status)
 {
     InputLines lines = {.stream = file, .name = name};
     char line[LINE_BYTES_MAX + 1];
-    InputGot got = INPUT_END;
+    InputGot got;
     if (!draw(script, status))
         return false;
     while ((got = input_line(&lines, line, sizeof line, status)) == INPUT_LINE)

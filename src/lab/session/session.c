@@ -125,31 +125,14 @@ static bool write_head(FILE *file, uint64_t *check, const Session *session, Stat
     return sound;
 }
 
-/* A line is in the file before its key does anything, so that what crashed can be done again. */
-static void record_event(Session *session, const SessionEvent *event)
-{
-    OutputFile *file = &session->file;
-    Status *trouble = &session->trouble;
-    if (!session->begun) {
-        session->begun = true;
-        if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
-            !write_head(file->stream, &session->check, session, trouble) || !output_publish(file, trouble))
-            output_close(file);
-    }
-    if (!file->stream)
-        return;
-    write_event(file->stream, &session->check, event);
-    fflush(file->stream);
-    if (!output_sound(file, trouble))
-        output_close(file);
-}
-
 /* Behind a key that was not kept the others would mean something else. */
 void session_note(Session *session, const Laboratory *lab, SessionEvent event)
 {
     if (!session)
         return;
     const Experiment *experiment = laboratory_run(lab);
+    OutputFile *file = &session->file;
+    Status *trouble = &session->trouble;
     const double now = lab->host.now(lab->host.context);
     event.on_the_way = lab->player.playback.state == STATE_COMPUTING;
     event.step = experiment_step(experiment);
@@ -159,9 +142,22 @@ void session_note(Session *session, const Laboratory *lab, SessionEvent event)
     event.height = lab->height;
     if (!session->full)
         session->full = !session_append(session, &event);
-    if (!session->full && session->record)
-        record_event(session, &event);
     session->last = now;
+    if (session->full || !session->record)
+        return;
+    /* A line is in the file before its key does anything, so that what crashed can be done again. */
+    if (!session->begun) {
+        session->begun = true;
+        if (!output_open(file, ASKER_COMMAND_LINE, session->record, session->replaces, trouble) ||
+            !write_head(file->stream, &session->check, session, trouble) || !output_publish(file, trouble))
+            output_close(file);
+    }
+    if (!file->stream)
+        return;
+    write_event(file->stream, &session->check, &event);
+    fflush(file->stream);
+    if (!output_sound(file, trouble))
+        output_close(file);
 }
 
 void session_record(Session *session, const char *file, bool force)

@@ -20,21 +20,6 @@ static const char *const allowed =
     "HASH PROGRAM | reached NAME PAGE | "
     "\"| ...\" | at ... | stop ... | end ... | check HASH";
 
-static bool read_place(char *word, SessionEvent *event)
-{
-    char *stage = strchr(word, '/');
-    long number = 0;
-    event->on_the_way = *word == '~';
-    word += event->on_the_way;
-    if (stage)
-        *stage++ = '\0';
-    if (!text_to_long(word, &event->step) || event->step < 0 || (stage && !text_to_long(stage, &number)) ||
-        number < 0 || number > 1000)
-        return false;
-    event->stage = (int)number;
-    return true;
-}
-
 /* Behind its first word. */
 static bool read_event(char *line, bool has_key, SessionEvent *event)
 {
@@ -46,10 +31,17 @@ static bool read_event(char *line, bool has_key, SessionEvent *event)
     *event = (SessionEvent){.key = {.x = -1, .y = -1}};
     if (has_key ? count != X && count != WORDS : count != NAME)
         return false;
-    if (!read_place(words[PLACE], event) || !text_to_double(words[SECONDS], &event->seconds) ||
-        event->seconds < 0 || event->seconds > SESSION_SECONDS_MOST ||
-        !text_to_size(words[SIZE], 0, SIZE_MOST, size))
+    char *place = words[PLACE], *stage = strchr(place, '/');
+    long number = 0;
+    event->on_the_way = *place == '~';
+    if (stage)
+        *stage++ = '\0';
+    if (!text_to_long(place + event->on_the_way, &event->step) || event->step < 0 ||
+        (stage && !text_to_long(stage, &number)) || number < 0 || number > 1000 ||
+        !text_to_double(words[SECONDS], &event->seconds) || event->seconds < 0 ||
+        event->seconds > SESSION_SECONDS_MOST || !text_to_size(words[SIZE], 0, SIZE_MOST, size))
         return false;
+    event->stage = (int)number;
     event->width = size[0];
     event->height = size[1];
     if (!has_key)
