@@ -231,16 +231,14 @@ void edit_key(Laboratory *lab, const Key *key)
 {
     /* a value that is refused keeps its field open, whichever key was to leave it */
     const char *name = key->name;
+    const bool up = strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0;
     if (strcmp(name, "Enter") == 0)
         accept_edit(lab);
     else if (strcmp(name, "Esc") == 0 || strcmp(name, "F10") == 0)
         lab->parameters.edit.open = false;
-    else if (strcmp(name, "Up") == 0 || strcmp(name, "S-Tab") == 0) {
+    else if (up || strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
         if (accept_edit(lab))
-            edit_move(lab, -1);
-    } else if (strcmp(name, "Down") == 0 || strcmp(name, "Tab") == 0) {
-        if (accept_edit(lab))
-            edit_move(lab, 1);
+            edit_move(lab, up ? -1 : 1);
     } else if (prompt_edit_line(lab->parameters.edit.text, sizeof lab->parameters.edit.text,
                                 &lab->parameters.edit.cursor, name, lab->editing.fresh)) {
         lab->editing.fresh = false;

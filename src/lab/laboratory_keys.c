@@ -13,13 +13,6 @@
 
 /* --- help ------------------------------------------------------------------------------------------- */
 
-static void turn_page(Laboratory *lab, int direction)
-{
-    int pages = help_pages(&lab->screen);
-    lab->help.page = (lab->help.page + direction + pages) % pages;
-    lab->help.scroll = lab->help.found = 0;
-}
-
 static void scroll_help(Laboratory *lab, int lines)
 {
     int most = help_most(&lab->screen, lab->width, lab->height);
@@ -43,41 +36,25 @@ static bool answer_search(Laboratory *lab, const char *text, Status *status)
 
 static void help_command(Laboratory *lab, CommandId id)
 {
-    int page = lab->height > 6 ? lab->height - 5 : 1;
-    switch (id) {
-    case COMMAND_UP:
-        scroll_help(lab, -1);
-        break;
-    case COMMAND_DOWN:
-        scroll_help(lab, 1);
-        break;
-    case COMMAND_PAGE_UP:
-        scroll_help(lab, -page);
-        break;
-    case COMMAND_PAGE_DOWN:
-    case COMMAND_RUN_PAUSE: /* Space, as in a pager */
-        scroll_help(lab, page);
-        break;
-    case COMMAND_FILTER:
+    static const struct {
+        CommandId id;
+        int lines, screens, pages; /* so many of them on */
+    } moves[] = {{COMMAND_UP, -1, 0, 0},       {COMMAND_DOWN, 1, 0, 0},          {COMMAND_PAGE_UP, 0, -1, 0},
+                 {COMMAND_PAGE_DOWN, 0, 1, 0}, {COMMAND_RUN_PAUSE, 0, 1, 0}, /* Space, as in a pager */
+                 {COMMAND_RIGHT, 0, 0, 1},     {COMMAND_NEXT_PANE, 0, 0, 1},     {COMMAND_HELP, 0, 0, 1},
+                 {COMMAND_LEFT, 0, 0, -1},     {COMMAND_PREVIOUS_PANE, 0, 0, -1}};
+    const int rows = lab->height > 6 ? lab->height - 5 : 1, pages = help_pages(&lab->screen);
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++)
+        if (moves[i].id == id && moves[i].pages != 0) {
+            lab->help.page = (lab->help.page + moves[i].pages + pages) % pages;
+            lab->help.scroll = lab->help.found = 0;
+        } else if (moves[i].id == id) {
+            scroll_help(lab, moves[i].lines + moves[i].screens * rows);
+        }
+    if (id == COMMAND_FILTER)
         prompt_ask(lab, answer_search, &prompt_retyped, lab->help.sought, "search the help");
-        break;
-    case COMMAND_RIGHT:
-    case COMMAND_NEXT_PANE:
-    case COMMAND_HELP:
-        turn_page(lab, 1);
-        break;
-    case COMMAND_LEFT:
-    case COMMAND_PREVIOUS_PANE:
-        turn_page(lab, -1);
-        break;
-    case COMMAND_CANCEL:
-    case COMMAND_QUIT:
-    case COMMAND_ENTER:
+    else if (id == COMMAND_CANCEL || id == COMMAND_QUIT || id == COMMAND_ENTER)
         lab->help.open = false;
-        break;
-    default:
-        break;
-    }
 }
 
 /* --- the mouse --------------------------------------------------------------------------------------- */

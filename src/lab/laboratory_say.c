@@ -32,8 +32,6 @@ void laboratory_tell(Laboratory *lab, const char *format, ...)
     va_end(arguments);
 }
 
-/* --- whether work that cannot be cut into frames is to go on ------------------------------------------- */
-
 bool laboratory_go_on(Laboratory *lab)
 {
     if (lab->given_up || lab->host.go_on(lab->host.context))

@@ -63,31 +63,22 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
     char pace[24];
     const char *running = screen->playback->looping ? "LOOP" : "RUNNING";
     long back = experiment_newest(screen->experiment) - experiment_step(screen->experiment);
-    switch (screen->playback->state) {
-    case STATE_RUNNING:
-        pace_text(screen->playback->pace, pace, sizeof pace);
-        if (screen->playback->at_limit && screen->playback->rate > 0) {
-            pace_text(screen->playback->rate, pace, sizeof pace);
+    const Playback *playback = screen->playback;
+    if (playback->state == STATE_RUNNING) {
+        pace_text(playback->pace, pace, sizeof pace);
+        if (playback->at_limit && playback->rate > 0) {
+            pace_text(playback->rate, pace, sizeof pace);
             strcat(pace, " max");
         }
-        snprintf(out, size, "%s%s%s", brief && screen->playback->at_limit ? "" : running,
-                 brief && screen->playback->at_limit ? "" : " ", pace);
-        if (screen->playback->until[0] && !brief)
-            text_append(out, size, " to %s", screen->playback->until);
-        return;
-    case STATE_COMPUTING:
-        snprintf(out, size, "computing %3.0f %%", 100 * screen->playback->work_share);
-        return;
-    case STATE_ENDED:
-        snprintf(out, size, "END");
-        return;
-    case STATE_FAILED:
-        snprintf(out, size, "STOPPED");
-        return;
-    case STATE_PAUSED:
-        break;
-    }
-    if (screen->playback->slow)
+        const bool named = !brief || !playback->at_limit;
+        snprintf(out, size, "%s%s%s", named ? running : "", named ? " " : "", pace);
+        if (playback->until[0] && !brief)
+            text_append(out, size, " to %s", playback->until);
+    } else if (playback->state == STATE_COMPUTING)
+        snprintf(out, size, "computing %3.0f %%", 100 * playback->work_share);
+    else if (playback->state != STATE_PAUSED)
+        snprintf(out, size, "%s", playback->state == STATE_ENDED ? "END" : "STOPPED");
+    else if (playback->slow)
         snprintf(out, size, brief ? "SLOW" : "SLOW MOTION");
     else if (back > 0)
         snprintf(out, size, brief ? "PAUSED -%ld" : "PAUSED -%ld step%s", back, back == 1 ? "" : "s");

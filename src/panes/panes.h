@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The panes of the screen: each draws itself into an area from what the screen says. Private to src/view. */
+/* The panes of the screen: each draws itself into an area from what the screen says. */
 #ifndef PANES_PANES_H
 #define PANES_PANES_H
 
@@ -10,8 +10,6 @@
 #include "picture/cells/cells.h"
 #include "picture/plot.h"
 #include "panes/screen.h"
-
-/* --- where panes lie --- */
 
 typedef enum LayoutKind { LAYOUT_TOO_SMALL, LAYOUT_ONE_PANE, LAYOUT_FULL } LayoutKind;
 
@@ -31,8 +29,6 @@ typedef struct Layout {
 } Layout;
 
 Layout layout_make(const Screen *, int width, int height);
-
-/* --- the other panes --- */
 
 void pane_title(const Screen *, Area);
 bool title_has_headline(const Screen *, int width); /* what the run is about is in it */

@@ -187,8 +187,6 @@ static bool export_named(Laboratory *lab, const char *text, Status *status)
     return write_or_ask(lab, write_export, found);
 }
 
-/* --- how much it will be ---------------------------------------------------------------------------- */
-
 /* Rows that the series will have: one every so many steps, the first and the last always. */
 static long series_rows(const Laboratory *lab)
 {

@@ -129,8 +129,6 @@ bool lesson_entry_cancel(Laboratory *);
 /* What is left to be done, once the run has come to where it should be. */
 void lesson_play_continue(Laboratory *);
 
-/* Lessons: pages beside the run, and what the laboratory does when one is opened. */
-
 bool lesson_play_open(Laboratory *, const char *name, Status *);
 void lesson_play_close(Laboratory *);
 void lesson_play_toggle(Laboratory *);

@@ -132,8 +132,6 @@ static bool press(Script *script, const char *name, double seconds, Status *stat
     return press_at(script, name, -1, -1, seconds, status);
 }
 
-/* --- instructions ----------------------------------------------------------------------------------- */
-
 static bool do_key(Script *script, char *rest, Status *status)
 {
     char *place;

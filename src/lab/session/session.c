@@ -15,8 +15,6 @@
 
 enum { EVENTS_MAX = 1000000 };
 
-/* --- recording -------------------------------------------------------------------------------------- */
-
 static bool no_memory(Status *status)
 {
     return status_fail(status, "not enough memory for a session");

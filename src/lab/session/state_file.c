@@ -38,18 +38,26 @@ const char *state_file_word(const char *name, const char *const words[])
     return at >= 0 ? words[at] : NULL;
 }
 
+/* A new file in the place of that of this name, with its folders; false: it cannot be kept. */
+static bool open_state(OutputFile *file, Asker asker, const char *name)
+{
+    Status ignored = {0};
+    char *path = state_file(name);
+    if (path)
+        output_make_own_folders(asker, path);
+    const bool opened = path && output_open_own(file, asker, path, &ignored);
+    free(path);
+    return opened;
+}
+
 void state_file_put(Asker asker, const char *name, const char *word)
 {
     Status ignored = {0};
     OutputFile file = {0};
-    char *path = state_file(name);
-    if (path)
-        output_make_own_folders(asker, path);
-    if (path && output_open_own(&file, asker, path, &ignored)) {
-        fprintf(file.stream, "%s\n", word);
-        output_end(&file, true, &ignored);
-    }
-    free(path);
+    if (!open_state(&file, asker, name))
+        return;
+    fprintf(file.stream, "%s\n", word);
+    output_end(&file, true, &ignored);
 }
 
 /* Reads and writes how far one has come; lines that do not name a page of a lesson are skipped. */
@@ -85,14 +93,10 @@ void state_file_write_lessons(Asker asker, const int shown[LESSONS_MAX])
     OutputFile file = {0};
     int reached[LESSONS_MAX];
     memcpy(reached, shown, sizeof reached);
-    char *path = state_file_read_lessons(reached) ? state_file(progress_file) : NULL;
-    if (path)
-        output_make_own_folders(asker, path);
-    if (path && output_open_own(&file, asker, path, &ignored)) {
-        for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
-            if (reached[i] > 0)
-                fprintf(file.stream, "%s %d\n", builtin_lessons[i].name, reached[i]);
-        output_end(&file, true, &ignored);
-    }
-    free(path);
+    if (!state_file_read_lessons(reached) || !open_state(&file, asker, progress_file))
+        return;
+    for (int i = 0; i < LESSONS_MAX && builtin_lessons[i].name; i++)
+        if (reached[i] > 0)
+            fprintf(file.stream, "%s %d\n", builtin_lessons[i].name, reached[i]);
+    output_end(&file, true, &ignored);
 }
