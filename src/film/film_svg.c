@@ -30,16 +30,10 @@ struct Film {
     long count, room;
 };
 
-static void put_colour(FILE *stream, const char *attribute, unsigned colour)
-{
-    fprintf(stream, " %s=\"#%06x\"", attribute, colour);
-}
-
 static void put_rectangle(const Film *film, double x, double y, double width, double height, unsigned colour)
 {
-    fprintf(film->stream, "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"", x, y, width, height);
-    put_colour(film->stream, "fill", colour);
-    fputs("/>", film->stream);
+    fprintf(film->stream, "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"#%06x\"/>", x, y, width,
+            height, colour);
 }
 
 typedef enum Kind { KIND_WORDS, KIND_BLOCK, KIND_DOTS } Kind;
@@ -87,9 +81,7 @@ static void put_stretch(const Film *film, const Cell *cells, int x, int count)
     } else if (kind_of(cells->glyph) == KIND_DOTS) {
         /* Each dot is a line without length, of which the round ends are left. */
         static const int column[8] = {0, 0, 0, 1, 1, 1, 0, 1}, row[8] = {0, 1, 2, 0, 1, 2, 3, 3};
-        fputs("<path stroke-width=\"2\" stroke-linecap=\"round\"", film->stream);
-        put_colour(film->stream, "stroke", ink);
-        fputs(" d=\"", film->stream);
+        fprintf(film->stream, "<path stroke-width=\"2\" stroke-linecap=\"round\" stroke=\"#%06x\" d=\"", ink);
         for (int i = 0; i < count; i++)
             for (int dot = 0; dot < 8; dot++)
                 if (cells[i].glyph >> dot & 1)
@@ -103,9 +95,8 @@ static void put_stretch(const Film *film, const Cell *cells, int x, int count)
             count--;
         if (count > 0) {
             FILE *stream = film->stream;
-            fprintf(stream, "<text x=\"%d\" y=\"%d\" textLength=\"%d\"", x * CELL_WIDTH, BASELINE,
-                    count * CELL_WIDTH);
-            put_colour(stream, "fill", ink);
+            fprintf(stream, "<text x=\"%d\" y=\"%d\" textLength=\"%d\" fill=\"#%06x\"", x * CELL_WIDTH,
+                    BASELINE, count * CELL_WIDTH, ink);
             if (look.attributes & LOOK_BOLD)
                 fputs(" font-weight=\"bold\"", stream);
             if (look.attributes & LOOK_UNDERLINE)

@@ -29,21 +29,6 @@ void command_pane(Laboratory *lab, int direction)
     screen->time.cursor = NAN;
 }
 
-/* Moves the cursor of a time plot by about a column. */
-static void move_cursor(Laboratory *lab, int columns)
-{
-    Screen *screen = &lab->screen;
-    double from, to;
-    time_plot_window(screen, &from, &to);
-    int width = screen_pane(screen, lab->width, lab->height, screen->panes.focus).width - 10;
-    double column = (to - from) / (width > 20 ? width : 20);
-    if (isnan(screen->time.cursor))
-        screen->time.cursor = experiment_time(laboratory_run(lab));
-    else
-        screen->time.cursor += columns * column;
-    screen->time.cursor = fmin(fmax(screen->time.cursor, from), to);
-}
-
 static void move(Laboratory *lab, int x, int y, int page)
 {
     const double share = 0.2; /* of what is seen of a map, for an arrow */
@@ -73,7 +58,16 @@ static void move(Laboratory *lab, int x, int y, int page)
         view_move(view, screen, screen_pane(screen, lab->width, lab->height, screen->panes.focus), x, y,
                   page);
     } else if (view && view->has_time_axis) {
-        move_cursor(lab, x ? x : y * page);
+        /* the cursor of a time plot, by about a column */
+        double from, to;
+        time_plot_window(screen, &from, &to);
+        const int width = screen_pane(screen, lab->width, lab->height, screen->panes.focus).width - 10;
+        const double column = (to - from) / (width > 20 ? width : 20);
+        if (isnan(screen->time.cursor))
+            screen->time.cursor = experiment_time(laboratory_run(lab));
+        else
+            screen->time.cursor += (x ? x : y * page) * column;
+        screen->time.cursor = fmin(fmax(screen->time.cursor, from), to);
     } else if (x || page > 1) {
         screen->chosen.is_node &= simulation_has(laboratory_simulation(lab), HAS_MESH);
         selection_next(&screen->chosen, laboratory_simulation(lab), x ? x : y, (size_t)page);

@@ -157,11 +157,10 @@ static bool press_all(Grader *grader, const Session *session, Grades *grades, St
     return goes_on;
 }
 
-static bool remark(Grades *grades, const char *text)
+static void remark(Grades *grades, const char *text)
 {
     snprintf(grades->remark, sizeof grades->remark, "%s", text);
     grades->count = 0;
-    return true;
 }
 
 /* Why a session is not homework of this lesson, or not all of it. */
@@ -182,23 +181,6 @@ static const char *why_refused(const Session *session, const Lesson *lesson)
     return NULL;
 }
 
-static bool replay_session(const GradingTask *task, const Session *session, Grades *grades, Status *status)
-{
-    LaboratoryOptions options = {0};
-    Status why = {STATUS_DONE, ""};
-    session_options(session, &options);
-    Grader *grader = open_grader(task, &options, &why);
-    if (!grader)
-        return remark(grades, why.text);
-    begin_grades(&grader->lab.play.lesson, grades);
-    const bool done = press_all(grader, session, grades, &why);
-    const bool given_up = grader->given_up, in_want = *why.text != '\0';
-    close_grader(grader);
-    if (given_up || in_want)
-        return status_fail(status, "%s", in_want ? why.text : "interrupted");
-    return done || remark(grades, "it takes too long to replay");
-}
-
 bool grading_session(const GradingTask *task, const char *file, Grades *grades, Status *status)
 {
     Lesson lesson;
@@ -212,7 +194,22 @@ bool grading_session(const GradingTask *task, const char *file, Grades *grades, 
         memcpy(grades->student, session->student, sizeof grades->student);
         memcpy(grades->id, session->id, sizeof grades->id);
         const char *refused = why_refused(session, &lesson);
-        sound = refused ? remark(grades, refused) : replay_session(task, session, grades, status);
+        LaboratoryOptions options = {0};
+        Status trouble = {STATUS_DONE, ""};
+        session_options(session, &options);
+        Grader *grader = refused ? NULL : open_grader(task, &options, &trouble);
+        if (!grader) {
+            remark(grades, refused ? refused : trouble.text);
+        } else {
+            begin_grades(&grader->lab.play.lesson, grades);
+            const bool done = press_all(grader, session, grades, &trouble);
+            const bool given_up = grader->given_up;
+            close_grader(grader);
+            if (given_up || *trouble.text)
+                sound = status_fail(status, "%s", *trouble.text ? trouble.text : "interrupted");
+            else if (!done)
+                remark(grades, "it takes too long to replay");
+        }
     } else {
         snprintf(grades->remark, sizeof grades->remark, "damaged: %.*s", (int)sizeof grades->remark - 10,
                  why.text);
