@@ -25,8 +25,6 @@
     .body = "beam", .answer = "beam theory", .si = true, .unit_of_time = "s", .shown_time = 1e-3,            \
     .shown_time_unit = " ms"
 
-/* --- simply supported ----------------------------------------------------------------------------- */
-
 static const ParameterUse uses_supported[] = {
     {USE("beam.length", 0.1)},
     {USE("initial.amplitude", 3e-6)},
@@ -46,8 +44,6 @@ const Problem problem_supported_beam = {
     SOLVED_BY(&beam_by_pd_supported, &beam_by_mpm_supported),
     BEAM_COMMON,
 };
-
-/* --- axially moving cantilever -------------------------------------------------------------------- */
 
 static const ParameterUse uses_moving[] = {
     {USE("beam.length", 0.1), .help = "length of the part outside the channel at t = 0"},
@@ -69,8 +65,6 @@ const Problem problem_moving_cantilever = {
     BEAM_COMMON,
     .end_matters = true, /* its channel and its modal solution reach to the end */
 };
-
-/* --- notched -------------------------------------------------------------------------------------- */
 
 static const ParameterUse uses_notched[] = {
     {USE("beam.length", 0.21)},      {USE("beam.height", 0.07)},
@@ -95,8 +89,6 @@ const Problem problem_notched_beam = {
     .alone = "by it nothing breaks",
     BEAM_COMMON,
 };
-
-/* --- plate ---------------------------------------------------------------------------------------- */
 
 /* Glass as the branching experiments have it (Duran 50). */
 static const ParameterUse uses_plate[] = {

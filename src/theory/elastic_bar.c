@@ -317,27 +317,27 @@ double bar_share_of_sine(const BarTheory *bar, int start, int number)
  *     fixed-free    rho b/E x (L - x/2) + t/E x
  *     free-fixed    rho b/E (L - x)(L + x)/2 - t/E (L - x)
  *     free-free     t/E (x - L/2), about the centre of mass; b is in the rigid motion */
-typedef struct Statics {
+typedef struct AtRest {
     double w, slope; /* w' */
-} Statics;
+} AtRest;
 
-static Statics statics_at(const BarTheory *bar, double x)
+static AtRest rest_at(const BarTheory *bar, double x)
 {
     double length = bar->length;
     double stretch = bar->traction / bar->youngs_modulus;
     double bend = bar->body_force * bar->density / bar->youngs_modulus;
     if (bar->left_fixed && bar->right_fixed)
-        return (Statics){bend * x * (length - x) / 2, bend * (length / 2 - x)};
+        return (AtRest){bend * x * (length - x) / 2, bend * (length / 2 - x)};
     if (bar->left_fixed)
-        return (Statics){bend * x * (length - x / 2) + stretch * x, bend * (length - x) + stretch};
+        return (AtRest){bend * x * (length - x / 2) + stretch * x, bend * (length - x) + stretch};
     if (bar->right_fixed)
-        return (Statics){bend * (length - x) * (length + x) / 2 - stretch * (length - x), stretch - bend * x};
-    return (Statics){stretch * (x - length / 2), stretch};
+        return (AtRest){bend * (length - x) * (length + x) / 2 - stretch * (length - x), stretch - bend * x};
+    return (AtRest){stretch * (x - length / 2), stretch};
 }
 
 /* W and W' at x, which is the image of a point of the bar under reflections at the ends. A reflection at a
  * fixed end turns the sign of a displacement; an odd number of reflections that of slopes too. */
-static Statics continued(const BarTheory *bar, double x)
+static AtRest continued(const BarTheory *bar, double x)
 {
     double bars = floor(x / bar->length);
     double inside = x - bars * bar->length;
@@ -348,8 +348,8 @@ static Statics continued(const BarTheory *bar, double x)
     bool flipped = (bar->left_fixed && fmod(left, 2) != 0) != (bar->right_fixed && fmod(right, 2) != 0);
     const double sign = flipped ? -1 : 1;
     const bool turned = fmod(met, 2) != 0;
-    const Statics there = statics_at(bar, turned ? bar->length - inside : inside);
-    return (Statics){sign * there.w, (turned ? -sign : sign) * there.slope};
+    const AtRest there = rest_at(bar, turned ? bar->length - inside : inside);
+    return (AtRest){sign * there.w, (turned ? -sign : sign) * there.slope};
 }
 
 static bool is_loaded(const BarTheory *bar)
@@ -369,7 +369,7 @@ double bar_displacement(const BarTheory *bar, double x, double t)
     }
     if (is_loaded(bar)) {
         double way = bar_wave_speed(bar) * t;
-        sum += statics_at(bar, x).w;
+        sum += rest_at(bar, x).w;
         sum -= (continued(bar, x - way).w + continued(bar, x + way).w) / 2;
         sum += is_free_free(bar) ? bar->body_force * t * t / 2 : 0;
     }
@@ -405,7 +405,7 @@ double bar_stress(const BarTheory *bar, double x, double t)
     }
     if (is_loaded(bar)) {
         double way = bar_wave_speed(bar) * t;
-        strain += statics_at(bar, x).slope;
+        strain += rest_at(bar, x).slope;
         strain -= (continued(bar, x - way).slope + continued(bar, x + way).slope) / 2;
     }
     return bar_modulus_at(bar, x) * strain;
