@@ -345,7 +345,8 @@ double convergence_fitted_order(const ConvergencePoint *points, int count)
     ASSERT_INT(count, >=, 0);
     double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
     const ConvergencePoint *before = NULL;
-    for (const ConvergencePoint *point = points; point < points + count; point++) {
+    for (int i = 0; i < count; i++) {
+        const ConvergencePoint *point = &points[i];
         if (!point->known)
             continue;
         const bool falls =

@@ -424,7 +424,7 @@ Layout layout_make(const Screen *screen, int width, int height)
 
 bool screen_is_whole(const Screen *screen, int width, int height)
 {
-    Layout layout;
+    Layout layout = {.kind = LAYOUT_TOO_SMALL};
     if (screen_is_plain(screen))
         return layout_plain(screen, width, height, &layout);
     return width >= FULL_WIDTH && height >= FULL_HEIGHT;
