@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files from outside, opened and read line by line. Opening never waits and never takes anything but a file:
- * a pipe, a device or a folder is an error. A line and a file have a size
- * beyond which they are refused, so that a wrong file fills no memory. */
+/* Files from outside, opened and read line by line: whatever reads a user's file goes through here. Opening
+ * never waits and never takes anything but a file: a pipe, a device or a folder is an error. A line and a
+ * file have a size beyond which they are refused, so that a wrong file fills no memory. */
 #ifndef BASE_INPUT_H
 #define BASE_INPUT_H
 

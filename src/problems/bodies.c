@@ -25,14 +25,34 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
 }
 
 /* What the exact answers account for; rigid motion does not ask how a body is computed. */
-#define BODY_KEYS                                                                                            \
-    "domain.width", "domain.height", "domain.left", "domain.right", "domain.bottom", "domain.top",           \
-        "domain.wall_friction", "material.youngs_modulus", "material.poisson", "material.density",           \
-        "material.law", "material.plane", "mesh.cell_size", "mesh.particles_per_cell", "mpm.algorithm",      \
-        "mpm.shape", "mpm.transfer", "mpm.flip_fraction", "mpm.rotation", "mpm.body_mistake",                \
-        "contact.fields", "contact.friction", "contact.gap", "load.gravity", "load.incline", "time.courant", \
-        "time.end"
-static const char *const of_motion[] = {BODY_KEYS, NULL};
+static const char *const of_motion[] = {"domain.width",
+                                        "domain.height",
+                                        "domain.left",
+                                        "domain.right",
+                                        "domain.bottom",
+                                        "domain.top",
+                                        "domain.wall_friction",
+                                        "material.youngs_modulus",
+                                        "material.poisson",
+                                        "material.density",
+                                        "material.law",
+                                        "material.plane",
+                                        "mesh.cell_size",
+                                        "mesh.particles_per_cell",
+                                        "mpm.algorithm",
+                                        "mpm.shape",
+                                        "mpm.transfer",
+                                        "mpm.flip_fraction",
+                                        "mpm.rotation",
+                                        "mpm.body_mistake",
+                                        "contact.fields",
+                                        "contact.friction",
+                                        "contact.gap",
+                                        "load.gravity",
+                                        "load.incline",
+                                        "time.courant",
+                                        "time.end",
+                                        NULL};
 static const char *const changes[] = {"mpm.algorithm", "mpm.transfer", "mpm.flip_fraction", NULL};
 
 static const Solver bodies_by_mpm = {

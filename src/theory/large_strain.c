@@ -46,6 +46,19 @@ static double strain_of_root(double h)
     return w;
 }
 
+/* int (dx/c) h/(w e^w) dphi over a turn */
+static double period_of(const Oscillator *oscillator)
+{
+    enum { PARTS = 512 };
+    double sum = 0;
+    for (int i = 0; i < PARTS; i++) {
+        const double phi = 2 * M_PI * (i + 0.5) / PARTS;
+        const double h = oscillator->velocity / oscillator->speed * math_sin(phi), w = strain_of_root(h);
+        sum += h / (w * math_exp(w));
+    }
+    return oscillator->cell / oscillator->speed * 2 * M_PI * sum / PARTS;
+}
+
 static double acceleration(const Oscillator *oscillator, double w)
 {
     return -oscillator->speed * oscillator->speed / oscillator->cell * w * math_exp(w);
@@ -64,7 +77,6 @@ static void advance(const Oscillator *oscillator, double time, double *w, double
 
 bool oscillator_make(Oscillator *oscillator, double cell, double speed, double velocity)
 {
-    enum { PARTS = 512 };
     ASSERT_REAL(cell, >, 0);
     ASSERT_REAL(speed, >, 0);
     oscillator->cell = cell;
@@ -73,14 +85,9 @@ bool oscillator_make(Oscillator *oscillator, double cell, double speed, double v
     oscillator->period = 2 * M_PI * cell / speed;
     if (!(fabs(velocity) <= speed))
         return false;
-    double w = 0, v = velocity, sum = 0;
-    for (int i = 0; velocity != 0 && i < PARTS; i++) {
-        const double phi = 2 * M_PI * (i + 0.5) / PARTS;
-        const double h = velocity / speed * math_sin(phi), strain = strain_of_root(h);
-        sum += h / (strain * math_exp(strain));
-    }
     if (velocity != 0)
-        oscillator->period = cell / speed * 2 * M_PI * sum / PARTS;
+        oscillator->period = period_of(oscillator);
+    double w = 0, v = velocity;
     for (int i = 0; i < OSCILLATOR_TABLE; i++) {
         oscillator->table[i].strain = w;
         oscillator->table[i].velocity = v;

@@ -182,8 +182,6 @@ int diagnose_readings(const Search *, bool deep, DiagnoseReading out[READINGS_MA
 /* Puts steps and columns of a table as a reading has them. False: it has rows between its steps. */
 bool diagnose_read_as(DiagnoseTable *, const DiagnoseReading *);
 
-/* The time of a moment as it is written. */
-
 /* diagnose_columns.c: after the first walk along the right run. Leaves out what is not a number, finds sizes,
  * silences columns without information; the verdict is UNKNOWN if any column is left. False: there is no
  * memory. */

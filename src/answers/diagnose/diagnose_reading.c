@@ -28,6 +28,7 @@ bool diagnose_time_is_up(const Search *search)
 
 /* --- times ---------------------------------------------------------------------------------------------- */
 
+/* The time of a moment as it is written. */
 static double time_of(const DiagnoseTable *table, size_t moment)
 {
     ASSERT_INDEX(moment, table->all_moments);

@@ -17,8 +17,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Damage of a bond's ends is worked out again at the end of the step, once for all of their bonds that broke.
- */
+/* Damage of a bond's ends is worked out again at the end of the step, once for all bonds that broke. */
 static void mark_ends(Beam *beam, BondPlace place)
 {
     size_t ends[2];
