@@ -475,7 +475,7 @@ double mpm_sum(const Mpm *, const double *of); /* sum m a over all particles: of
 void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */
-void mpm_write_row(Mpm *, double *row, bool whole);
+void mpm_write_row(const Mpm *, double *row, bool whole);
 bool mpm_row_needs_grid(const Mpm *);
 bool mpm_row_has_rates(const Mpm *); /* a column is a difference to the step before */
 void mpm_set_series(Mpm *);

@@ -1,54 +1,128 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What front ends read of bars, beams and bodies: a table of fields for each, and one function for particles
- * and one for nodes that fill them. Computed when read, from the state as it is in mid-step too: which stages
- * are done decides whether a place is the old or the new one, and a node's field is 0 before its stage. Of
- * bodies set 1 has the nodes of all velocity fields, one grid after the other. */
+/* What front ends read of bars, beams and bodies: what fields there can be, and a table of those of each.
+ * Computed when read, from the state as it is in mid-step too: which stages are done decides whether a place
+ * is the old or the new one, and a node's field is 0 before its stage. Of bodies set 1 has the nodes of all
+ * velocity fields, one grid after the other. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/axial.h"
 #include "methods/mpm/engine.h"
 #include "methods/mpm/mistakes.h"
 
-typedef enum FieldKind {
-    P_X0, /* with axis: a direction, a component of stress, a distance in the mass matrix */
-    P_X,
-    P_U,
-    P_V,
-    P_STRESS,
-    P_STRAIN,
-    P_DENSITY,
-    P_MASS,
-    P_CELL,
-    P_NATURAL,
-    P_STRAIN_INCREMENT,
-    P_MOMENTUM,
-    P_AFFINE,
-    P_STRETCH,
-    P_BODY,
-    P_MISES,
-    P_PRESSURE,
-    P_JACOBIAN,
-    P_SPEED,
-    P_STRAIN_ENERGY,
-    P_ENERGY_DENSITY,
-    P_KINETIC_ENERGY,
-    P_PROBE,
-    N_X,
-    N_BODY,
-    N_FIXED,
-    N_HELD,
-    N_MASS,
-    N_MOMENTUM,
-    N_VELOCITY,
-    N_F_INT,
-    N_F_EXT,
-    N_F,
-    N_ACCELERATION,
-    N_MASS_BESIDE,
-    N_NORMAL,
-    N_ACTIVE,
-    N_VELOCITY_NEW
-} FieldKind;
+/* --- what a field can be: its kind and its value ---------------------------------------------------- */
+
+/* Across the plane: nu (sxx + syy) in plane strain, lambda ln J/J of the neo-Hookean law, 0 in plane stress.
+ */
+static double stress_across(const Mpm *mpm, int p)
+{
+    if (!mpm->bodies || mpm->def.plane == PLANE_STRESS)
+        return 0.0;
+    const double J = mpm->volume[p] / mpm->volume_start;
+    return bodies_are_neo(mpm) ? mpm->lambda * math_log(J) / J
+                               : mpm->def.poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
+}
+
+/* sum of the squares of the velocity, a beam's common speed left out */
+static double speed_squared(const Mpm *mpm, int p)
+{
+    const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
+    return vx * vx + vy * vy;
+}
+
+/* von Mises: sqrt((a^2 + b^2 + c^2)/2 + 3 sxy^2) of the differences of the three normal stresses */
+static double mises(const Mpm *mpm, int p)
+{
+    const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
+    const double zz = stress_across(mpm, p), a = xx - yy, b = yy - zz, c = zz - xx;
+    return sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (xy * xy));
+}
+
+static double strain_increment(const Mpm *mpm, int p, int component)
+{
+    double e[MPM_STRESSES] = {0.0};
+    if (mpm_has_done(mpm, OP_STRAIN))
+        mpm_strain_step(mpm, p, e);
+    return e[component];
+}
+
+static int cell_of(const Mpm *mpm, int p)
+{
+    return mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge);
+}
+
+static double node_place(const Mpm *mpm, int axis, int node)
+{
+    const int at = mpm->bodies ? node % mpm->grid_nodes : node;
+    const int k = axis == 0 ? at % mpm->gx : at / mpm->gx;
+    if (mpm->dim == 1) {
+        const int cell = node < mpm->cells ? node : mpm->cells - 1;
+        const double offset = shape_node_offset(mpm->shape, mpm->half, mpm->cells, cell, node - cell);
+        return ((cell - mpm->origin) + (offset - mpm->edge)) * mpm->dx;
+    }
+    if (mpm->bodies)
+        return (k - BODIES_PADDING) * mpm->dx;
+    return axis == 0 ? mpm->xmin + (mpm_shift(mpm, mpm->sim.step) + k) * mpm->dx : mpm->ymin + k * mpm->dx;
+}
+
+/* Of particle p; axis is a direction, or a component of stress. The place in the cell of a moved particle
+ * counts from its old cell until the last stage. */
+#define OF_PARTICLE(KIND)                                                                                    \
+    KIND(P_X0, mpm_rest(mpm, axis, p))                                                                       \
+    KIND(P_X, mpm_rest(mpm, axis, p) + mpm->u[axis][p])                                                      \
+    KIND(P_U, mpm->u[axis][p])                                                                               \
+    KIND(P_V, mpm->v[axis][p])                                                                               \
+    KIND(P_STRESS, mpm->stress[axis][p])                                                                     \
+    KIND(P_STRAIN, mpm->stress[0][p] / mpm_modulus(mpm, p))                                                  \
+    KIND(P_DENSITY, mpm_mass(mpm, p) / mpm->volume[p])                                                       \
+    KIND(P_MASS, mpm_mass(mpm, p))                                                                           \
+    KIND(P_CELL, cell_of(mpm, p))                                                                            \
+    KIND(P_NATURAL, mpm->rest[0][p] - mpm->edge - cell_of(mpm, p) + mpm->u[0][p] / mpm->dx)                  \
+    KIND(P_STRAIN_INCREMENT, strain_increment(mpm, p, axis))                                                 \
+    KIND(P_MOMENTUM, mpm_mass(mpm, p) * mpm->v[0][p])                                                        \
+    KIND(P_AFFINE, mpm->affine[p])                                                                           \
+    KIND(P_STRETCH, mpm->volume[p] * mpm->def.particles_per_cell / mpm->dx)                                  \
+    KIND(P_BODY, bodies_body_of(mpm, p))                                                                     \
+    KIND(P_MISES, mises(mpm, p))                                                                             \
+    KIND(P_PRESSURE, -(mpm->stress[0][p] + mpm->stress[1][p] + stress_across(mpm, p)) / 3.0)                 \
+    KIND(P_JACOBIAN, mpm->volume[p] / mpm->volume_start)                                                     \
+    KIND(P_SPEED, sqrt(speed_squared(mpm, p)))                                                               \
+    KIND(P_STRAIN_ENERGY, mpm_strain_at(mpm, p))                                                             \
+    KIND(P_ENERGY_DENSITY, mpm_strain_at(mpm, p) / mpm->volume[p])                                           \
+    KIND(P_KINETIC_ENERGY, 0.5 * mpm->mass[0] * speed_squared(mpm, p) * mpm->def.thickness)                  \
+    KIND(P_PROBE, p == mpm->probe[0] || p == mpm->probe[1] || p == mpm->probe[2] || p == mpm->probe[3])
+
+/* Of node i at any time; axis is a direction. */
+#define OF_NODE(KIND)                                                                                        \
+    KIND(N_X, node_place(mpm, axis, i))                                                                      \
+    KIND(N_BODY, i / mpm->grid_nodes)                                                                        \
+    KIND(N_FIXED, mpm->bodies ? bodies_at_wall(mpm, i) : mpm_held(mpm, mpm->sim.step, i) != 0)               \
+    KIND(N_HELD, (mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis)) != 0)
+
+/* Of a node as the grid stands, which is forgotten between steps: each is 0 before its stage. Axis is also a
+ * distance in the mass matrix. */
+#define OF_GRID(KIND)                                                                                        \
+    KIND(N_MASS, mpm->node_mass[i])                                                                          \
+    KIND(N_MOMENTUM, mpm->momentum[axis][i])                                                                 \
+    KIND(N_VELOCITY, !(is_line || fixed) ? 0.0                                                               \
+                     : mpm->bodies       ? mpm->momentum[axis][i] * mpm->inverse[i]                          \
+                                         : mpm_node_velocity(mpm, axis, i))                                        \
+    KIND(N_F_INT, forced ? mpm->force[0][i] : 0.0)                                                           \
+    KIND(N_F_EXT, mpm_is_loaded(mpm) && forced ? mpm->load[i] : 0.0)                                         \
+    KIND(N_F, !forced ? 0.0 : is_line ? mpm_node_force(mpm, 0, i) : mpm->force[axis][i])                     \
+    KIND(N_ACCELERATION, !held         ? 0.0                                                                 \
+                         : mpm->bodies ? mpm->force[axis][i] * mpm->inverse[i]                               \
+                                       : mpm_node_acceleration(mpm, axis, i))                                \
+    KIND(N_MASS_BESIDE, mpm_mass_between(mpm, i, i + axis))                                                  \
+    KIND(N_NORMAL, mpm->normal[axis][i])                                                                     \
+    KIND(N_ACTIVE, mpm->node_mass[i] > mpm->floor)                                                           \
+    KIND(N_VELOCITY_NEW, mpm_node_velocity(mpm, 0, i) + (forced && !mpm_has_done(mpm, OP_INTEGRATE)          \
+                                                             ? mpm->dt * mpm_node_acceleration(mpm, 0, i)    \
+                                                             : 0.0)) /* (p_i + dt f_i)/m_i */
+
+#define NAME(kind, value) kind,
+typedef enum FieldKind { OF_PARTICLE(NAME) OF_NODE(NAME) OF_GRID(NAME) } FieldKind;
+
+/* --- the fields of bars, beams and bodies ------------------------------------------------------------ */
 
 #define PARTICLE(kind, axis, name, label, unit, meaning)                                                     \
     FIELD_ROW(kind, axis, MPM_PARTICLES, true, false, name, label, unit, meaning)
@@ -216,156 +290,29 @@ void mpm_list_fields(Mpm *mpm)
     mpm->sim.n_fields = count;
 }
 
-/* Across the plane: nu (sxx + syy) in plane strain, lambda ln J/J of the neo-Hookean law, 0 in plane stress.
- */
-static double stress_across(const Mpm *mpm, int p)
-{
-    if (!mpm->bodies || mpm->def.plane == PLANE_STRESS)
-        return 0.0;
-    const double J = mpm->volume[p] / mpm->volume_start;
-    return bodies_are_neo(mpm) ? mpm->lambda * math_log(J) / J
-                               : mpm->def.poisson * (mpm->stress[0][p] + mpm->stress[1][p]);
-}
+#define VALUE(kind, value)                                                                                   \
+    case kind:                                                                                               \
+        return value;
 
-/* sum of the squares of the velocity, a beam's common speed left out */
-static double speed_squared(const Mpm *mpm, int p)
+static double particle_field(const Mpm *mpm, FieldKind kind, int axis, int p)
 {
-    const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
-    return vx * vx + vy * vy;
-}
-
-/* von Mises: sqrt((a^2 + b^2 + c^2)/2 + 3 sxy^2) of the differences of the three normal stresses */
-static double mises(const Mpm *mpm, int p)
-{
-    const double xx = mpm->stress[0][p], yy = mpm->stress[1][p], xy = mpm->stress[2][p];
-    const double zz = stress_across(mpm, p), a = xx - yy, b = yy - zz, c = zz - xx;
-    return sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (xy * xy));
-}
-
-/* The value of one particle's field. The place in the cell of a moved particle counts from its old cell until
- * the last stage. */
-static double particle_field(const Mpm *mpm, const Field *row, int p)
-{
-    const int axis = row->axis;
-    double e[MPM_STRESSES] = {0.0};
-    switch ((FieldKind)row->kind) {
-    case P_X0:
-        return mpm_rest(mpm, axis, p);
-    case P_X:
-        return mpm_rest(mpm, axis, p) + mpm->u[axis][p];
-    case P_U:
-        return mpm->u[axis][p];
-    case P_V:
-        return mpm->v[axis][p];
-    case P_STRESS:
-        return mpm->stress[axis][p];
-    case P_STRAIN:
-        return mpm->stress[0][p] / mpm_modulus(mpm, p);
-    case P_DENSITY:
-        return mpm_mass(mpm, p) / mpm->volume[p];
-    case P_MASS:
-        return mpm_mass(mpm, p);
-    case P_CELL:
-        return mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge);
-    case P_NATURAL:
-        return mpm->rest[0][p] - mpm->edge - mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge) +
-               mpm->u[0][p] / mpm->dx;
-    case P_STRAIN_INCREMENT:
-        if (mpm_has_done(mpm, OP_STRAIN))
-            mpm_strain_step(mpm, p, e);
-        return e[axis];
-    case P_MOMENTUM:
-        return mpm_mass(mpm, p) * mpm->v[0][p];
-    case P_AFFINE:
-        return mpm->affine[p];
-    case P_STRETCH:
-        return mpm->volume[p] * mpm->def.particles_per_cell / mpm->dx;
-    case P_BODY:
-        return bodies_body_of(mpm, p);
-    case P_MISES:
-        return mises(mpm, p);
-    case P_PRESSURE:
-        return -(mpm->stress[0][p] + mpm->stress[1][p] + stress_across(mpm, p)) / 3.0;
-    case P_JACOBIAN:
-        return mpm->volume[p] / mpm->volume_start;
-    case P_SPEED:
-        return sqrt(speed_squared(mpm, p));
-    case P_STRAIN_ENERGY:
-        return mpm_strain_at(mpm, p);
-    case P_ENERGY_DENSITY:
-        return mpm_strain_at(mpm, p) / mpm->volume[p];
-    case P_KINETIC_ENERGY:
-        return 0.5 * mpm->mass[0] * speed_squared(mpm, p) * (mpm->bodies ? 1.0 : mpm->def.thickness);
-    case P_PROBE:
-        return p == mpm->probe[0] || p == mpm->probe[1] || p == mpm->probe[2] || p == mpm->probe[3];
+    switch (kind) {
+        OF_PARTICLE(VALUE)
     default:
         return 0.0;
     }
 }
 
-static double node_place(const Mpm *mpm, int axis, int node)
+static double node_field(const Mpm *mpm, FieldKind kind, int axis, int i)
 {
-    const int at = mpm->bodies ? node % mpm->grid_nodes : node;
-    const int k = axis == 0 ? at % mpm->gx : at / mpm->gx;
-    if (mpm->dim == 1) {
-        const int cell = node < mpm->cells ? node : mpm->cells - 1;
-        const double offset = shape_node_offset(mpm->shape, mpm->half, mpm->cells, cell, node - cell);
-        return ((cell - mpm->origin) + (offset - mpm->edge)) * mpm->dx;
-    }
-    if (mpm->bodies)
-        return (k - BODIES_PADDING) * mpm->dx;
-    return axis == 0 ? mpm->xmin + (mpm_shift(mpm, mpm->sim.step) + k) * mpm->dx : mpm->ymin + k * mpm->dx;
-}
-
-/* The value of one node's field: the grid is forgotten between steps, and each is 0 before its stage. */
-static double node_field(const Mpm *mpm, const Field *row, int i)
-{
-    const int axis = row->axis;
-    const bool line_now = mpm->dim == 1, forced = mpm_has_done(mpm, OP_FORCE);
-    switch ((FieldKind)row->kind) {
-    case N_X:
-        return node_place(mpm, axis, i);
-    case N_BODY:
-        return i / mpm->grid_nodes;
-    case N_FIXED:
-        return mpm->bodies ? bodies_at_wall(mpm, i) : mpm_held(mpm, mpm->sim.step, i) != 0;
-    case N_HELD:
-        return (mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis)) != 0;
-    default:
-        break;
-    }
-    if (!mpm_has_done(mpm, OP_MAP))
+    const bool is_line = mpm->dim == 1, fixed = mpm_has_done(mpm, OP_FIX),
+               forced = mpm_has_done(mpm, OP_FORCE);
+    const bool held = is_line || mpm->bodies ? forced : mpm_has_done(mpm, OP_FIX_FORCE);
+    if (kind >= N_MASS && !mpm_has_done(mpm, OP_MAP))
         return 0.0;
-    switch ((FieldKind)row->kind) {
-    case N_MASS:
-        return mpm->node_mass[i];
-    case N_MOMENTUM:
-        return mpm->momentum[axis][i];
-    case N_VELOCITY:
-        if (mpm->bodies)
-            return mpm_has_done(mpm, OP_FIX) ? mpm->momentum[axis][i] * mpm->inverse[i] : 0.0;
-        return mpm_has_done(mpm, line_now ? OP_MAP : OP_FIX) ? mpm_node_velocity(mpm, axis, i) : 0.0;
-    case N_VELOCITY_NEW: /* (p_i + dt f_i)/m_i */
-        return mpm_node_velocity(mpm, 0, i) + (forced && !mpm_has_done(mpm, OP_INTEGRATE)
-                                                   ? mpm->dt * mpm_node_acceleration(mpm, 0, i)
-                                                   : 0.0);
-    case N_F_INT:
-        return forced ? mpm->force[0][i] : 0.0;
-    case N_F_EXT:
-        return forced && mpm_is_loaded(mpm) ? mpm->load[i] : 0.0;
-    case N_F:
-        return !forced ? 0.0 : line_now ? mpm_node_force(mpm, 0, i) : mpm->force[axis][i];
-    case N_ACCELERATION:
-        if (mpm->bodies)
-            return forced ? mpm->force[axis][i] * mpm->inverse[i] : 0.0;
-        return mpm_has_done(mpm, line_now ? OP_FORCE : OP_FIX_FORCE) ? mpm_node_acceleration(mpm, axis, i)
-                                                                     : 0.0;
-    case N_MASS_BESIDE:
-        return mpm_mass_between(mpm, i, i + axis);
-    case N_NORMAL:
-        return mpm->normal[axis][i];
-    case N_ACTIVE:
-        return mpm->node_mass[i] > mpm->floor;
+    switch (kind) {
+        OF_NODE(VALUE)
+        OF_GRID(VALUE)
     default:
         return 0.0;
     }
@@ -378,5 +325,6 @@ void mpm_field(const Simulation *sim, int field, size_t first, size_t count, dou
     ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
     const Field *const row = &sim->fields[field];
     for (int i = (int)first; i < (int)(first + count); i++)
-        *out++ = row->set == MPM_PARTICLES ? particle_field(mpm, row, i) : node_field(mpm, row, i);
+        *out++ = (row->set == MPM_PARTICLES ? particle_field : node_field)(mpm, (FieldKind)row->kind,
+                                                                           row->axis, i);
 }

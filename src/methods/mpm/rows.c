@@ -116,46 +116,25 @@ double mpm_strain_at(const Mpm *mpm, int p)
     return (direct / (2 * def->youngs_modulus) + xy * xy / (2 * G)) * mpm->volume[p] * def->thickness;
 }
 
-/* Sums over some particles of bodies. */
+/* Sums over the particles of a body. */
 typedef struct BodySums {
     double x, y, vx, vy, turn, inertia; /* sum x, ..., sum x v_y - y v_x, sum x^2 + y^2 */
     double squares, strain, affine;     /* sum v^2, strain energies, sum B_yx - B_xy */
 } BodySums;
 
-static BodySums sum_bodies(const Mpm *mpm, int first, int end)
-{
-    BodySums sum = {0};
-    for (int p = first; p < end; p++) {
-        const double x = mpm->at[0][p] + mpm->u[0][p], y = mpm->at[1][p] + mpm->u[1][p];
-        const double vx = mpm->v[0][p], vy = mpm->v[1][p];
-        sum.x += x, sum.y += y, sum.vx += vx, sum.vy += vy;
-        sum.turn += x * vy - y * vx;
-        sum.inertia += x * x + y * y;
-        sum.squares += vx * vx + vy * vy;
-        sum.strain += mpm_strain_at(mpm, p);
-        sum.affine += mpm->rate[2][p] - mpm->rate[1][p];
-    }
-    return sum;
-}
-
-/* Of beams and bodies, without the common speed. */
-static Energies energies_in_plane(const Mpm *mpm)
+/* Of beams and bodies without the common speed. */
+static Energies energies_of(const Mpm *mpm)
 {
     Energies sums = {0};
-    for (int p = 0; p < mpm->n_particles; p++) {
+    for (int p = 0; mpm->dim == 2 && p < mpm->n_particles; p++) {
         const double vx = mpm->v[0][p] - mpm->speed, vy = mpm->v[1][p];
         sums.kinetic += vx * vx + vy * vy;
         sums.strain += mpm_strain_at(mpm, p);
     }
     sums.kinetic *= mpm->mass[0] / 2 * mpm->def.thickness;
-    return sums;
-}
-
-static Energies energies_of(const Mpm *mpm)
-{
     if (mpm->dim == 2)
-        return energies_in_plane(mpm);
-    Energies sums = energies_of_material(mpm, 0, 0, mpm->joint);
+        return sums;
+    sums = energies_of_material(mpm, 0, 0, mpm->joint);
     if (mpm->joint < mpm->n_particles) {
         const Energies more = energies_of_material(mpm, 1, mpm->joint, mpm->n_particles);
         sums.kinetic += more.kinetic;
@@ -173,37 +152,13 @@ double mpm_energy(const Mpm *mpm)
     return sums.kinetic + sums.strain;
 }
 
-/* The energy that lumped masses see, of velocities over a beam's common one. Held components of a beam are at
- * rest in its frame: p = m v0 there, and 0 across. A node of no mass has 1/m = 0 and no share. */
-static double kinetic_grid(const Mpm *mpm)
-{
-    double sum = 0.0;
-    for (int i = 0; i < mpm->n_nodes; i++)
-        for (int axis = 0; axis < mpm->dim; axis++) {
-            const double p = mpm->momentum[axis][i] - mpm->node_mass[i] * (axis == 0 ? mpm->speed : 0.0);
-            if (mpm->dim == 1 || mpm->free[axis][i] != 0.0)
-                sum += p * p * mpm->inverse[i];
-        }
-    return 0.5 * sum * mpm->def.thickness;
-}
-
-static double rate_of_centre(const Mpm *mpm)
-{
-    double momentum = 0.0;
-    if (mpm->sim.step > 0)
-        return (mpm_sum(mpm, mpm->u[0]) - mpm->head->moment) / (mpm->whole_mass * mpm->dt);
-    for (int i = 0; i < mpm->n_nodes; i++)
-        momentum += mpm->node_mass[i] * mpm->velocity[0][i];
-    return momentum / mpm->whole_mass;
-}
-
 /* Supports are the only thing beside the loads that changes the particles' momentum: what is internal adds up
  * to 0. */
 static double reaction(const Mpm *mpm, int axis)
 {
     const double now = mpm_sum(mpm, mpm->v[axis]),
                  before = mpm->sim.step > 0 ? mpm->head->momentum[axis] : now;
-    return (now - before) / mpm->dt - (axis == 0 ? mpm->head->pushed : 0.0);
+    return mpm->def.thickness * ((now - before) / mpm->dt - (axis == 0 ? mpm->head->pushed : 0.0));
 }
 
 /* The probe is the mean of up to four particles beside the point. */
@@ -215,111 +170,131 @@ static double probe(const Mpm *mpm, const double *values)
     return sum / 4.0;
 }
 
-typedef enum Entry {
-    V_CM,
-    X_CM,
-    X_CM_RATE,
-    U_PROBE,
-    V_PROBE,
-    LENGTH,
-    KINETIC,
-    KINETIC_GRID,
-    KINETIC_NULL,
-    STRAIN,
-    POTENTIAL,
-    FRICTION,
-    WORK,
-    TOTAL,
-    MOMENTUM_X,
-    MOMENTUM_Y,
-    REACTION_X,
-    REACTION_Y,
-    ANGULAR,
-    OF_BODIES /* from here on BODY_TOUCHING + 1 of each body */
-} Entry;
+/* What the columns of a row are worked out from. */
+typedef struct Now {
+    const Mpm *mpm;
+    Energies sums;
+    bool whole;
+} Now;
 
-/* In the order of the columns. */
+/* A column that is one expression of it. */
+#define COLUMN(name, value)                                                                                  \
+    static double name(const Now *now)                                                                       \
+    {                                                                                                        \
+        const Mpm *const mpm = now->mpm;                                                                     \
+        (void)mpm;                                                                                           \
+        return value;                                                                                        \
+    }
+
+COLUMN(v_cm, mpm_sum(mpm, mpm->v[0]) / mpm->whole_mass)
+COLUMN(x_cm, mpm->x_cm_start + mpm_sum(mpm, mpm->u[0]) / mpm->whole_mass)
+COLUMN(u_probe, probe(mpm, mpm->u[1]))
+COLUMN(v_probe, probe(mpm, mpm->v[1]))
+COLUMN(length, mpm->def.length + mpm->def.speed * simulation_time(&mpm->sim))
+COLUMN(kinetic, now->sums.kinetic)
+COLUMN(strain, now->sums.strain)
+COLUMN(work, mpm->head->work)
+COLUMN(total, now->sums.kinetic + now->sums.strain)
+COLUMN(momentum_x, mpm_sum(mpm, mpm->v[0]) * mpm->def.thickness)
+COLUMN(momentum_y, mpm_sum(mpm, mpm->v[1]) * mpm->def.thickness)
+COLUMN(reaction_x, reaction(mpm, 0))
+COLUMN(reaction_y, reaction(mpm, 1))
+
+static double x_cm_rate(const Now *now)
+{
+    const Mpm *mpm = now->mpm;
+    double momentum = 0.0;
+    if (mpm->sim.step > 0)
+        return (mpm_sum(mpm, mpm->u[0]) - mpm->head->moment) / (mpm->whole_mass * mpm->dt);
+    for (int i = 0; i < mpm->n_nodes; i++)
+        momentum += mpm->node_mass[i] * mpm->velocity[0][i];
+    return momentum / mpm->whole_mass;
+}
+
+/* The energy that lumped masses see, of velocities over a beam's common one. Held components of a beam are at
+ * rest in its frame: p = m v0 there, and 0 across. A node of no mass has 1/m = 0 and no share. */
+static double kinetic_grid(const Now *now)
+{
+    const Mpm *mpm = now->mpm;
+    double sum = 0.0;
+    for (int i = 0; i < mpm->n_nodes; i++)
+        for (int axis = 0; axis < mpm->dim; axis++) {
+            const double p = mpm->momentum[axis][i] - mpm->node_mass[i] * (axis == 0 ? mpm->speed : 0.0);
+            if (mpm->dim == 1 || mpm->free[axis][i] != 0.0)
+                sum += p * p * mpm->inverse[i];
+        }
+    return 0.5 * sum * mpm->def.thickness;
+}
+
+/* Of a beam it takes several times as long as a step: only in a row that is whole and due. */
+static double kinetic_null(const Now *now)
+{
+    const Mpm *mpm = now->mpm;
+    const bool is_due = mpm->sim.whole_rows == 0 || mpm->sim.step % mpm->sim.whole_rows == 0;
+    return mpm->dim == 1          ? mpm_line_null_energy(mpm)
+           : now->whole && is_due ? plane_null_energy(mpm, now->sums.kinetic)
+                                  : NAN;
+}
+
+/* In their order. Those of bodies are numbers of mpm_row_of_bodies(). */
+#define ROW(of, value, ...)                                                                                  \
+    {                                                                                                        \
+        of, value,                                                                                           \
+        {                                                                                                    \
+            __VA_ARGS__                                                                                      \
+        }                                                                                                    \
+    }
 static const struct {
     MpmProblem of;
-    Entry entry;
+    double (*value)(const Now *);
     Quantity quantity;
 } columns[] = {
-    {MPM_BAR, V_CM, {AXIAL_V_CM}},
-    {MPM_BAR, X_CM, {AXIAL_X_CM}},
-    {MPM_BAR,
-     X_CM_RATE,
-     {"x_cm_rate", "d(x_cm)/dt", "length/time",
-      "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"}},
-    {MPM_BAR, KINETIC, {AXIAL_KINETIC}},
-    {MPM_BAR,
-     KINETIC_GRID,
-     {"kinetic_grid", "seen by grid", "force/length",
-      "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"}},
-    {MPM_BAR,
-     KINETIC_NULL,
-     {"kinetic_null", "null space", "force/length",
-      "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"}},
-    {MPM_BAR, STRAIN, {"strain", "strain", "force/length", "strain energy of the particles"}},
-    {MPM_BAR, WORK, {AXIAL_WORK}},
-    {MPM_BAR, TOTAL, {AXIAL_TOTAL}},
-    {MPM_BAR, MOMENTUM_X, {AXIAL_MOMENTUM}},
-    {MPM_BAR, REACTION_X, {AXIAL_REACTION " in the last step"}},
-    {MPM_BEAM, U_PROBE, {"u_probe", "u", "m", "transverse displacement at the probe"}},
-    {MPM_BEAM, V_PROBE, {"v_probe", "v", "m/s", "transverse velocity at the probe"}},
-    {MPM_BEAM, LENGTH, {"length", "length", "m", "length outside the channel, L0 + v0 t"}},
-    {MPM_BEAM,
-     KINETIC,
-     {"kinetic", "kinetic", "J", "kinetic energy of the particles, without the common speed"}},
-    {MPM_BEAM,
-     KINETIC_GRID,
-     {"kinetic_grid", "seen by grid", "J",
-      "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"}},
-    {MPM_BEAM,
-     KINETIC_NULL,
-     {"kinetic_null", "null space", "J",
-      "the part of it that no velocities of the grid can give: the rest is seen, or lost to "
-      "lumped masses"}},
-    {MPM_BEAM, STRAIN, {"strain", "strain", "J", "strain energy of the particles"}},
-    {MPM_BEAM, WORK, {"work", "work", "J", "work of the channel, which draws the beam out"}},
-    {MPM_BEAM,
-     TOTAL,
-     {"total", "total", "J", "kinetic + strain; it ripples, as the two are half a step apart"}},
-    {MPM_BEAM, MOMENTUM_X, {"momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"}},
-    {MPM_BEAM, MOMENTUM_Y, {"momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"}},
-    {MPM_BEAM,
-     REACTION_X,
-     {"reaction_x", "reaction x", "N", "force of what holds the beam, along x, in the last step"}},
-    {MPM_BEAM,
-     REACTION_Y,
-     {"reaction_y", "reaction y", "N", "force of what holds the beam, along y, in the last step"}},
-    {MPM_BODIES, KINETIC, {"kinetic", "kinetic", "force*length", "kinetic energy of the particles"}},
-    {MPM_BODIES, STRAIN, {"strain", "strain", "force*length", "strain energy of the particles"}},
-    {MPM_BODIES,
-     POTENTIAL,
-     {"potential", "potential", "force*length", "potential energy in the field of gravity, 0 at the origin"}},
-    {MPM_BODIES,
-     FRICTION,
-     {"friction", "friction", "force*length", "energy that friction at walls and in contact has taken"}},
-    {MPM_BODIES, TOTAL, {"total", "total", "force*length", "kinetic + strain + potential + friction"}},
-    {MPM_BODIES,
-     MOMENTUM_X,
-     {"momentum_x", "momentum x", "mass*length/time", "momentum of all bodies along x"}},
-    {MPM_BODIES,
-     MOMENTUM_Y,
-     {"momentum_y", "momentum y", "mass*length/time", "momentum of all bodies along y"}},
-    {MPM_BODIES,
-     ANGULAR,
-     {"angular", "angular mom.", "mass*length^2/time", "angular momentum about the middle of the box"}},
+    ROW(MPM_BAR, v_cm, AXIAL_V_CM),
+    ROW(MPM_BAR, x_cm, AXIAL_X_CM),
+    ROW(MPM_BAR, x_cm_rate, "x_cm_rate", "d(x_cm)/dt", "length/time",
+        "rate of x_cm in the last step: particles move with the nodes, and not with their own velocities"),
+    ROW(MPM_BAR, kinetic, AXIAL_KINETIC),
+    ROW(MPM_BAR, kinetic_grid, "kinetic_grid", "seen by grid", "force/length",
+        "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"),
+    ROW(MPM_BAR, kinetic_null, "kinetic_null", "null space", "force/length",
+        "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"),
+    ROW(MPM_BAR, strain, "strain", "strain", "force/length", "strain energy of the particles"),
+    ROW(MPM_BAR, work, AXIAL_WORK),
+    ROW(MPM_BAR, total, AXIAL_TOTAL),
+    ROW(MPM_BAR, momentum_x, AXIAL_MOMENTUM),
+    ROW(MPM_BAR, reaction_x, AXIAL_REACTION " in the last step"),
+    ROW(MPM_BEAM, u_probe, "u_probe", "u", "m", "transverse displacement at the probe"),
+    ROW(MPM_BEAM, v_probe, "v_probe", "v", "m/s", "transverse velocity at the probe"),
+    ROW(MPM_BEAM, length, "length", "length", "m", "length outside the channel, L0 + v0 t"),
+    ROW(MPM_BEAM, kinetic, "kinetic", "kinetic", "J",
+        "kinetic energy of the particles, without the common speed"),
+    ROW(MPM_BEAM, kinetic_grid, "kinetic_grid", "seen by grid", "J",
+        "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"),
+    ROW(MPM_BEAM, kinetic_null, "kinetic_null", "null space", "J",
+        "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"),
+    ROW(MPM_BEAM, strain, "strain", "strain", "J", "strain energy of the particles"),
+    ROW(MPM_BEAM, work, "work", "work", "J", "work of the channel, which draws the beam out"),
+    ROW(MPM_BEAM, total, "total", "total", "J",
+        "kinetic + strain; it ripples, as the two are half a step apart"),
+    ROW(MPM_BEAM, momentum_x, "momentum_x", "momentum x", "kg m/s", "momentum of all particles along x"),
+    ROW(MPM_BEAM, momentum_y, "momentum_y", "momentum y", "kg m/s", "momentum of all particles along y"),
+    ROW(MPM_BEAM, reaction_x, "reaction_x", "reaction x", "N",
+        "force of what holds the beam, along x, in the last step"),
+    ROW(MPM_BEAM, reaction_y, "reaction_y", "reaction y", "N",
+        "force of what holds the beam, along y, in the last step"),
+    ROW(MPM_BODIES, NULL, "kinetic", "kinetic", "force*length", "kinetic energy of the particles"),
+    ROW(MPM_BODIES, NULL, "strain", "strain", "force*length", "strain energy of the particles"),
+    ROW(MPM_BODIES, NULL, "potential", "potential", "force*length",
+        "potential energy in the field of gravity, 0 at the origin"),
+    ROW(MPM_BODIES, NULL, "friction", "friction", "force*length",
+        "energy that friction at walls and in contact has taken"),
+    ROW(MPM_BODIES, NULL, "total", "total", "force*length", "kinetic + strain + potential + friction"),
+    ROW(MPM_BODIES, NULL, "momentum_x", "momentum x", "mass*length/time", "momentum of all bodies along x"),
+    ROW(MPM_BODIES, NULL, "momentum_y", "momentum y", "mass*length/time", "momentum of all bodies along y"),
+    ROW(MPM_BODIES, NULL, "angular", "angular mom.", "mass*length^2/time",
+        "angular momentum about the middle of the box"),
 };
-
-/* Whether the run has such a thing. */
-static bool is_there(const Mpm *mpm, Entry entry)
-{
-    return entry == REACTION_X     ? mpm->dim == 2 || mpm->fixed_left > 0 || mpm->fixed_right > 0
-           : entry == LENGTH       ? mpm->def.leaves_channel
-           : entry == KINETIC_NULL ? mpm->dim == 1 || plane_null_pays(mpm)
-                                   : true;
-}
+enum { COLUMNS = sizeof columns / sizeof *columns }; /* from here on BODY_TOUCHING + 1 entries of each body */
 
 static void add_column(Mpm *mpm, int entry, const Quantity *quantity)
 {
@@ -342,16 +317,21 @@ static void add_column_of_body(Mpm *mpm, int body, int k)
     memcpy(of, mpm->def.bodies[body].name, sizeof of);
     snprintf(name, sizeof mpm->column_names[body][k], "%s.%s", of, of_body[k].name);
     snprintf(meaning, sizeof mpm->column_meanings[body][k], "%s%s", of_body[k].meaning, of);
-    add_column(mpm, OF_BODIES + body * (BODY_TOUCHING + 1) + k,
+    add_column(mpm, COLUMNS + body * (BODY_TOUCHING + 1) + k,
                &(Quantity){name, name, of_body[k].unit, meaning});
 }
 
 void mpm_set_series(Mpm *mpm)
 {
     const int n = mpm->bodies ? mpm->def.n_bodies : 0;
-    for (size_t k = 0; k < sizeof columns / sizeof *columns; k++)
-        if (columns[k].of == mpm->def.problem && is_there(mpm, columns[k].entry))
-            add_column(mpm, (int)columns[k].entry, &columns[k].quantity);
+    for (int k = 0; k < COLUMNS; k++) {
+        double (*const value)(const Now *) = columns[k].value;
+        if (columns[k].of == mpm->def.problem &&
+            (value != reaction_x || mpm->dim == 2 || mpm->fixed_left > 0 || mpm->fixed_right > 0) &&
+            (value != length || mpm->def.leaves_channel) &&
+            (value != kinetic_null || mpm->dim == 1 || plane_null_pays(mpm)))
+            add_column(mpm, k, &columns[k].quantity);
+    }
     for (int body = 0; body < n; body++)
         for (int k = 0; k < BODY_COLUMNS; k++)
             add_column_of_body(mpm, body, k);
@@ -365,90 +345,23 @@ void mpm_set_series(Mpm *mpm)
 const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_null", "momentum",   "reaction",
                                       "momentum_x", "momentum_y",   "reaction_x",   "reaction_y", NULL};
 
-static bool has_column(const Mpm *mpm, Entry entry)
+static bool has_column(const Mpm *mpm, double (*value)(const Now *))
 {
-    for (int k = 0; k < mpm->sim.n_series; k++)
-        if (mpm->series_entry[k] == (int)entry)
+    for (int k = 0; k < mpm->sim.n_series && !mpm->bodies; k++)
+        if (columns[mpm->series_entry[k]].value == value)
             return true;
     return false;
 }
 
 bool mpm_row_needs_grid(const Mpm *mpm)
 {
-    return has_column(mpm, KINETIC_GRID) || has_column(mpm, KINETIC_NULL) ||
-           (has_column(mpm, X_CM_RATE) && mpm->sim.step == 0);
+    return has_column(mpm, kinetic_grid) || has_column(mpm, kinetic_null) ||
+           (has_column(mpm, x_cm_rate) && mpm->sim.step == 0);
 }
 
 bool mpm_row_has_rates(const Mpm *mpm)
 {
-    return has_column(mpm, X_CM_RATE) || has_column(mpm, REACTION_X) || has_column(mpm, REACTION_Y);
-}
-
-/* Of a beam kinetic_null takes several times as long as a step: only in a row that is whole and due. */
-static double null_energy(Mpm *mpm, double kinetic, bool whole)
-{
-    const bool is_due = mpm->sim.whole_rows == 0 || mpm->sim.step % mpm->sim.whole_rows == 0;
-    return mpm->dim == 1     ? mpm_line_null_energy(mpm)
-           : whole && is_due ? plane_null_energy(mpm, kinetic)
-                             : NAN;
-}
-
-static double value_of(Mpm *mpm, Entry entry, const Energies *sums, bool whole)
-{
-    const int axis = entry == MOMENTUM_Y || entry == REACTION_Y;
-    switch (entry) {
-    case V_CM:
-        return mpm_sum(mpm, mpm->v[0]) / mpm->whole_mass;
-    case X_CM:
-        return mpm->x_cm_start + mpm_sum(mpm, mpm->u[0]) / mpm->whole_mass;
-    case X_CM_RATE:
-        return rate_of_centre(mpm);
-    case KINETIC:
-        return sums->kinetic;
-    case KINETIC_GRID:
-        return kinetic_grid(mpm);
-    case KINETIC_NULL:
-        return null_energy(mpm, sums->kinetic, whole);
-    case STRAIN:
-        return sums->strain;
-    case WORK:
-        return mpm->head->work;
-    case TOTAL:
-        return sums->kinetic + sums->strain;
-    case MOMENTUM_X:
-    case MOMENTUM_Y:
-        return mpm->def.thickness * mpm_sum(mpm, mpm->v[axis]);
-    case REACTION_X:
-    case REACTION_Y:
-        return mpm->def.thickness * reaction(mpm, axis);
-    case U_PROBE:
-        return probe(mpm, mpm->u[1]);
-    case V_PROBE:
-        return probe(mpm, mpm->v[1]);
-    case LENGTH:
-        return mpm->def.length + mpm->def.speed * simulation_time(&mpm->sim);
-    default: /* those of bodies: mpm_row_of_bodies() */
-        return NAN;
-    }
-}
-
-/* Of a body: its centre, its mean velocity, its spin. */
-static void write_body(const BodySums *sum, double count, double *out)
-{
-    const double x = sum->x / count, y = sum->y / count, vx = sum->vx / count, vy = sum->vy / count;
-    const double turn = sum->turn - count * (x * vy - y * vx),
-                 inertia = sum->inertia - count * (x * x + y * y);
-    out[0] = x, out[1] = y, out[2] = vx, out[3] = vy;
-    out[4] = inertia > 0.0 ? turn / inertia : 0.0;
-}
-
-static bool is_touching(const Mpm *mpm, int body)
-{
-    const uint32_t *const touching = mpm->head->touching;
-    bool any = touching[body] != 0;
-    for (int other = 0; other < body; other++)
-        any = any || touching[other] >> body & 1;
-    return any;
+    return has_column(mpm, x_cm_rate) || has_column(mpm, reaction_x) || has_column(mpm, reaction_y);
 }
 
 void mpm_row_of_bodies(const Simulation *sim, double *row)
@@ -460,8 +373,18 @@ void mpm_row_of_bodies(const Simulation *sim, double *row)
     for (int k = 0; k < BODIES_X; k++)
         row[k] = 0.0;
     for (int body = 0; body < def->n_bodies; body++) {
-        const int first = mpm->first[body], end = mpm->first[body + 1];
-        const BodySums sum = sum_bodies(mpm, first, end);
+        const double count = mpm->first[body + 1] - mpm->first[body];
+        BodySums sum = {0};
+        for (int p = mpm->first[body]; p < mpm->first[body + 1]; p++) {
+            const double x = mpm->at[0][p] + mpm->u[0][p], y = mpm->at[1][p] + mpm->u[1][p];
+            const double vx = mpm->v[0][p], vy = mpm->v[1][p];
+            sum.x += x, sum.y += y, sum.vx += vx, sum.vy += vy;
+            sum.turn += x * vy - y * vx;
+            sum.inertia += x * x + y * y;
+            sum.squares += vx * vx + vy * vy;
+            sum.strain += mpm_strain_at(mpm, p);
+            sum.affine += mpm->rate[2][p] - mpm->rate[1][p];
+        }
         row[BODIES_KINETIC] += 0.5 * m * sum.squares;
         row[BODIES_STRAIN] += sum.strain;
         row[BODIES_POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
@@ -469,7 +392,13 @@ void mpm_row_of_bodies(const Simulation *sim, double *row)
         row[BODIES_MOMENTUM_Y] += m * sum.vy;
         row[BODIES_ANGULAR] += m * (sum.turn - 0.5 * (def->length * sum.vy - def->height * sum.vx));
         affine += m * sum.affine;
-        write_body(&sum, end - first, row + BODIES_X + body * BODY_COLUMNS);
+        /* its centre, its mean velocity, its spin */
+        double *const own = row + BODIES_X + body * BODY_COLUMNS;
+        const double x = sum.x / count, y = sum.y / count, vx = sum.vx / count, vy = sum.vy / count;
+        const double turn = sum.turn - count * (x * vy - y * vx),
+                     inertia = sum.inertia - count * (x * x + y * y);
+        own[0] = x, own[1] = y, own[2] = vx, own[3] = vy;
+        own[4] = inertia > 0.0 ? turn / inertia : 0.0;
     }
     if (mpm->head->transfer == MPM_APIC)
         row[BODIES_ANGULAR] += affine;
@@ -478,15 +407,21 @@ void mpm_row_of_bodies(const Simulation *sim, double *row)
         row[BODIES_KINETIC] + row[BODIES_STRAIN] + row[BODIES_POTENTIAL] + row[BODIES_FRICTION];
 }
 
-void mpm_write_row(Mpm *mpm, double *row, bool whole)
+void mpm_write_row(const Mpm *mpm, double *row, bool whole)
 {
-    if (mpm->bodies) {
-        mpm_row_of_bodies(&mpm->sim, row);
-        for (int k = BODIES_X + mpm->def.n_bodies * BODY_COLUMNS; k < mpm->sim.n_series; k++)
-            row[k] = is_touching(mpm, (mpm->series_entry[k] - OF_BODIES) / (BODY_TOUCHING + 1));
+    if (!mpm->bodies) {
+        const Now now = {mpm, energies_of(mpm), whole};
+        for (int k = 0; k < mpm->sim.n_series; k++)
+            row[k] = columns[mpm->series_entry[k]].value(&now);
         return;
     }
-    const Energies sums = energies_of(mpm);
-    for (int k = 0; k < mpm->sim.n_series; k++)
-        row[k] = value_of(mpm, (Entry)mpm->series_entry[k], &sums, whole);
+    const uint32_t *const touching = mpm->head->touching;
+    mpm_row_of_bodies(&mpm->sim, row);
+    for (int k = BODIES_X + mpm->def.n_bodies * BODY_COLUMNS; k < mpm->sim.n_series; k++) {
+        const int body = (mpm->series_entry[k] - COLUMNS) / (BODY_TOUCHING + 1);
+        bool any = touching[body] != 0;
+        for (int other = 0; other < body; other++)
+            any = any || touching[other] >> body & 1;
+        row[k] = any;
+    }
 }

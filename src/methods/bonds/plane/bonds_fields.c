@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fields of a beam that front ends read (Simulation.fields): for each its
- * index, a row with name, unit and meaning, and the case that fills it. Everything is computed when it is
- * read, from the state as it stands, in mid-step too; nothing here is part of a step. SI units. */
+/* The fields of a beam that front ends read (Simulation.fields). Everything is computed when it is read, from
+ * the state as it stands, in mid-step too; nothing here is part of a step. SI units. */
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_internal.h"
 #include "base/math/functions.h"
@@ -14,64 +13,105 @@ static const Set sets[N_SETS] = {
     [SET_BOND] = {"bond", "bonds", 0},
 };
 
-/* --- one row each --------------------------------------------------------------------------------- */
+/* --- what a field can be: its kind and its value ---------------------------------------------------- */
 
-typedef enum FieldIndex {
-    F_X0,
-    F_Y0,
-    F_UX,
-    F_UY,
-    F_VX,
-    F_VY,
+/* Bonds of a node at rest, broken ones included. */
+static double family_size(const Beam *beam, int i, int j)
+{
+    const Lattice *lattice = &beam->lattice;
+    const int reach = lattice->reach;
+    /* far from the surface every family is whole: no need to count, as views read this in every frame */
+    if (i >= reach && j >= lattice->rise && i < lattice->nx - reach && j < lattice->ny - lattice->rise)
+        return 2 * lattice->n_offsets;
+    BondPlace family[FAMILY_MAX];
+    return (double)beam_family(beam, i, j, family);
+}
+
+/* At present: a column leaves the channel as time goes on. */
+static bool is_held(const Beam *beam, int i, int j)
+{
+    bool held = i < beam_held_columns(beam, simulation_time(&beam->sim));
+    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
+        held = held || patch_has(&s->patch, i, j);
+    return held;
+}
+
+static bool is_loaded(const Beam *beam, int i, int j)
+{
+    bool loaded = false;
+    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++)
+        loaded = loaded || patch_has(&load->patch, i, j);
+    return loaded;
+}
+
+/* A padded array of the state. */
+#define OF_STATE(KIND)                                                                                       \
+    KIND(F_UX, beam->nodes.ux)                                                                               \
+    KIND(F_UY, beam->nodes.uy)                                                                               \
+    KIND(F_VX, beam->nodes.vx)                                                                               \
+    KIND(F_VY, beam->nodes.vy)                                                                               \
+    KIND(F_FX, beam->nodes.fx)                                                                               \
+    KIND(F_FY, beam->nodes.fy)
+
+/* Of a node, in column i of row j. */
+#define OF_NODE(KIND)                                                                                        \
+    KIND(F_X0, lattice_x(lattice, i))                                                                        \
+    KIND(F_Y0, lattice_y(lattice, j))                                                                        \
+    KIND(F_SURFACE, (lattice->factor_x[node] + lattice->factor_y[node]) / 2)                                 \
+    KIND(F_SPEED, math_hypot(beam->nodes.vx[at], beam->nodes.vy[at]))                                        \
+    KIND(F_FAMILY, family_size(beam, i, j))                                                                  \
+    KIND(F_SURFACE_X, lattice->factor_x[node])                                                               \
+    KIND(F_SURFACE_Y, lattice->factor_y[node])                                                               \
+    KIND(F_HELD, is_held(beam, i, j))                                                                        \
+    KIND(F_LOADED, is_loaded(beam, i, j))                                                                    \
+    KIND(F_PROBE, (i == beam->probe_i[0] || i == beam->probe_i[1]) &&                                        \
+                      (j == beam->probe_j[0] || j == beam->probe_j[1]))                                      \
+    KIND(F_PROTECTED, beam->unbreakable[node])                                                               \
+    KIND(F_X, lattice_x(lattice, i) + beam->nodes.ux[at])                                                    \
+    KIND(F_STRESS, bonds_line_stress(beam, i))                                                               \
+    KIND(F_STRAIN, bonds_line_strain(beam, i))                                                               \
+    KIND(F_DENSITY, beam->def.density / (1 + bonds_line_strain(beam, i)))                                    \
+    KIND(F_MASS, beam->def.density * lattice->spacing)                                                       \
+    KIND(F_LOAD, beam_load_on(&beam->sim, node, 0))                                                          \
+    KIND(F_ACCELERATION, beam->nodes.fx[at] / beam->def.density)
+
+/* Of a bond; its ends are its owner and that at its offset. */
+#define OF_BOND(KIND)                                                                                        \
+    KIND(F_I, (double)ends[0])                                                                               \
+    KIND(F_J, (double)ends[1])                                                                               \
+    KIND(F_XI, lattice_x(lattice, place.i))                                                                  \
+    KIND(F_YI, lattice_y(lattice, place.j))                                                                  \
+    KIND(F_XJ, lattice_x(lattice, place.i + offset->p))                                                      \
+    KIND(F_YJ, lattice_y(lattice, place.j + offset->q))                                                      \
+    KIND(F_BOND_STRETCH, bond.stretch)                                                                       \
+    KIND(F_BROKEN, beam_bit(beam->broken, slot))                                                             \
+    KIND(F_BROKEN_AT, beam_bit(beam->broken, slot) ? (double)beam->broken_at[slot] : -1)                     \
+    KIND(F_NOTCH, beam_bit(beam->notched, slot))                                                             \
+    KIND(F_PULL, (bond.stiffness * bond.stretch))                                                            \
+    KIND(F_BOND_ENERGY, bond.energy)                                                                         \
+    KIND(F_MICROMODULUS, lattice->micromodulus * offset->influence)                                          \
+    KIND(F_CORRECTION, lattice_correction(lattice, place))                                                   \
+    KIND(F_WEIGHT, offset->weight)
+
+#define NAME(kind, value) kind,
+typedef enum FieldKind {
     F_DAMAGE,
-    F_SURFACE,
-    F_STRAIN_ENERGY,
-    F_FX,
-    F_FY,
-    F_SPEED,
+    F_STRAIN_ENERGY, /* from here on a sum over a node's family, or its largest: family_field() */
     F_STRETCH,
-    F_FAMILY,
-    F_SURFACE_X,
-    F_SURFACE_Y,
-    F_HELD,
-    F_LOADED,
-    F_PROBE,
-    F_PROTECTED,
     F_SXX,
     F_SYY,
-    F_SXY,
-    F_I,
-    F_J,
-    F_XI,
-    F_YI,
-    F_XJ,
-    F_YJ,
-    F_BOND_STRETCH,
-    F_BROKEN,
-    F_BROKEN_AT,
-    F_NOTCH,
-    F_PULL,
-    F_BOND_ENERGY,
-    F_MICROMODULUS,
-    F_CORRECTION,
-    F_WEIGHT,
-    N_FIELDS, /* of beams and plates; those of a bar alone: */
-    F_X = N_FIELDS,
-    F_STRESS,
-    F_STRAIN,
-    F_DENSITY,
-    F_MASS,
-    F_LOAD,
-    F_ACCELERATION,
-    N_VALUES
-} FieldIndex;
+    F_SXY, /* to here */
+    OF_STATE(NAME) OF_NODE(NAME) OF_BOND(NAME)
+} FieldKind;
+
+/* --- the fields of beams and of a bar ---------------------------------------------------------------- */
 
 #define PARTICLE(kind, name, label, unit, meaning, table, whole)                                             \
     FIELD_ROW(kind, 0, SET_PARTICLE, table, whole, name, label, unit, meaning)
 #define BOND(kind, name, label, unit, meaning, table, whole)                                                 \
     FIELD_ROW(kind, 0, SET_BOND, table, whole, name, label, unit, meaning)
 
-static const Field fields[N_FIELDS] = {
+static const Field fields[] = {
     PARTICLE(F_X0, "x0", "x0", "m", "reference position along x", true, false),
     PARTICLE(F_Y0, "y0", "y0", "m", "reference position along y", true, false),
     PARTICLE(F_UX, "ux", "ux", "m", "displacement along x", true, false),
@@ -150,48 +190,10 @@ static const Field line_fields[] = {
 
 /* --- what fills them ------------------------------------------------------------------------------ */
 
-/* Bonds of a node at rest, broken ones included. */
-static double family_size(const Beam *beam, int i, int j)
-{
-    const Lattice *lattice = &beam->lattice;
-    const int reach = lattice->reach;
-    /* far from the surface every family is whole: no need to count, as views read this in every frame */
-    if (i >= reach && j >= lattice->rise && i < lattice->nx - reach && j < lattice->ny - lattice->rise)
-        return 2 * lattice->n_offsets;
-    BondPlace family[FAMILY_MAX];
-    return (double)beam_family(beam, i, j, family);
-}
-
-/* At present: a column leaves the channel as time goes on. */
-static bool is_held(const Beam *beam, int i, int j)
-{
-    bool held = i < beam_held_columns(beam, simulation_time(&beam->sim));
-    for (const Support *s = beam->supports; s < beam->supports + beam->n_supports; s++)
-        held = held || patch_has(&s->patch, i, j);
-    return held;
-}
-
-static bool is_loaded(const Beam *beam, int i, int j)
-{
-    bool loaded = false;
-    for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++)
-        loaded = loaded || patch_has(&load->patch, i, j);
-    return loaded;
-}
-
-/* The padded array of the state that a field is; NULL: it is none. */
-static const double *array_of(const Beam *beam, int field)
-{
-    const NodeArrays *nodes = &beam->nodes;
-    const double *const arrays[N_VALUES] = {[F_UX] = nodes->ux, [F_UY] = nodes->uy, [F_VX] = nodes->vx,
-                                            [F_VY] = nodes->vy, [F_FX] = nodes->fx, [F_FY] = nodes->fy};
-    return arrays[field];
-}
-
 static const double no_stretch = -1; /* what no whole bond has */
 
 /* What `count` bonds side by side give to each of their ends; c: c G w V, 0 of a broken one. */
-static void bond_shares(const Beam *beam, int field, BondPlace first, int count, double *out)
+static void bond_shares(const Beam *beam, FieldKind field, BondPlace first, int count, double *out)
 {
     const Offset *offset = &beam->lattice.offsets[first.offset];
     const size_t own = lattice_at(&beam->lattice, first.i, first.j);
@@ -234,7 +236,7 @@ static int larger(int a, int b)
  * A view may colour by them in every frame, so a tile's bonds of one direction are taken at once, and each is
  * given to both ends. Tiles begin at the same columns whatever the range, so a node meets its bonds in one
  * order, and its sum has the same bits. */
-static void family_field(const Beam *beam, int field, size_t first, size_t count, double *out)
+static void family_field(const Beam *beam, FieldKind field, size_t first, size_t count, double *out)
 {
     const Lattice *lattice = &beam->lattice;
     const int wide = lattice_wide(lattice), before = lattice->images[0];
@@ -273,58 +275,33 @@ static void family_field(const Beam *beam, int field, size_t first, size_t count
                                                               : out[k];
 }
 
-/* The value of one node's field. */
-static double node_field(const Beam *beam, int field, size_t node)
+#define VALUE(kind, value)                                                                                   \
+    case kind:                                                                                               \
+        return value;
+
+/* NULL: the field is none of these. */
+static const double *array_of(const Beam *beam, FieldKind kind)
+{
+    switch (kind) {
+        OF_STATE(VALUE)
+    default:
+        return NULL;
+    }
+}
+
+static double node_field(const Beam *beam, FieldKind kind, size_t node)
 {
     const Lattice *lattice = &beam->lattice;
-    const NodeArrays *nodes = &beam->nodes;
     const int i = lattice_column(lattice, node), j = lattice_row(lattice, node);
     const size_t at = lattice_at(lattice, i, j);
-    switch (field) {
-    case F_X0:
-        return lattice_x(lattice, i);
-    case F_Y0:
-        return lattice_y(lattice, j);
-    case F_SURFACE:
-        return (lattice->factor_x[node] + lattice->factor_y[node]) / 2;
-    case F_SPEED:
-        return math_hypot(nodes->vx[at], nodes->vy[at]);
-    case F_FAMILY:
-        return family_size(beam, i, j);
-    case F_SURFACE_X:
-        return lattice->factor_x[node];
-    case F_SURFACE_Y:
-        return lattice->factor_y[node];
-    case F_HELD:
-        return is_held(beam, i, j);
-    case F_LOADED:
-        return is_loaded(beam, i, j);
-    case F_PROBE:
-        return (i == beam->probe_i[0] || i == beam->probe_i[1]) &&
-               (j == beam->probe_j[0] || j == beam->probe_j[1]);
-    case F_PROTECTED:
-        return beam->unbreakable[node];
-    case F_X:
-        return lattice_x(lattice, i) + nodes->ux[at];
-    case F_STRESS:
-        return bonds_line_stress(beam, i);
-    case F_STRAIN:
-        return bonds_line_strain(beam, i);
-    case F_DENSITY:
-        return beam->def.density / (1 + bonds_line_strain(beam, i));
-    case F_MASS:
-        return beam->def.density * lattice->spacing;
-    case F_LOAD:
-        return beam_load_on(&beam->sim, node, 0);
-    case F_ACCELERATION:
-        return nodes->fx[at] / beam->def.density;
+    switch (kind) {
+        OF_NODE(VALUE)
     default:
         return 0;
     }
 }
 
-/* The value of one bond's field; its ends are its owner i and j = i + offset. */
-static double bond_field(const Beam *beam, int field, BondPlace place)
+static double bond_field(const Beam *beam, FieldKind kind, BondPlace place)
 {
     const Lattice *lattice = &beam->lattice;
     const Offset *offset = &lattice->offsets[place.offset];
@@ -332,37 +309,8 @@ static double bond_field(const Beam *beam, int field, BondPlace place)
     const size_t slot = lattice_slot(lattice, place);
     size_t ends[2];
     lattice_ends(lattice, place, ends);
-    switch (field) {
-    case F_I:
-        return (double)ends[0];
-    case F_J:
-        return (double)ends[1];
-    case F_XI:
-        return lattice_x(lattice, place.i);
-    case F_YI:
-        return lattice_y(lattice, place.j);
-    case F_XJ:
-        return lattice_x(lattice, place.i + offset->p);
-    case F_YJ:
-        return lattice_y(lattice, place.j + offset->q);
-    case F_BOND_STRETCH:
-        return bond.stretch;
-    case F_BROKEN:
-        return beam_bit(beam->broken, slot);
-    case F_BROKEN_AT:
-        return beam_bit(beam->broken, slot) ? (double)beam->broken_at[slot] : -1;
-    case F_NOTCH:
-        return beam_bit(beam->notched, slot);
-    case F_PULL:
-        return bond.stiffness * bond.stretch;
-    case F_BOND_ENERGY:
-        return bond.energy;
-    case F_MICROMODULUS:
-        return lattice->micromodulus * offset->influence;
-    case F_CORRECTION:
-        return lattice_correction(lattice, place);
-    case F_WEIGHT:
-        return offset->weight;
+    switch (kind) {
+        OF_BOND(VALUE)
     default:
         return 0;
     }
@@ -374,15 +322,14 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     ASSERT_INT(field, <, sim->n_fields);
     ASSERT_INT(first + count, <=, sim->counts[sim->fields[field].set]);
     const bool of_node = sim->fields[field].set == SET_PARTICLE;
-    field = sim->fields[field].kind;
+    const FieldKind kind = (FieldKind)sim->fields[field].kind;
     if (count == 0)
         return;
-    if (of_node && (field == F_STRAIN_ENERGY || field == F_STRETCH || field == F_SXX || field == F_SYY ||
-                    field == F_SXY)) {
-        family_field(beam, field, first, count, out);
+    if (kind >= F_STRAIN_ENERGY && kind <= F_SXY) {
+        family_field(beam, kind, first, count, out);
         return;
     }
-    const double *array = array_of(beam, field);
+    const double *array = array_of(beam, kind);
     const size_t wide = (size_t)lattice_wide(&beam->lattice);
     for (size_t node = first, part; array && node < first + count; node += part) {
         /* views read these of all nodes in every frame: row by row */
@@ -394,18 +341,18 @@ void beam_field(const Simulation *sim, int field, size_t first, size_t count, do
     }
     if (array)
         return;
-    if (field == F_DAMAGE) {
+    if (kind == F_DAMAGE) {
         memcpy(out, beam->damage + first, count * sizeof *out);
         return;
     }
     if (of_node) {
         for (size_t k = 0; k < count; k++)
-            out[k] = node_field(beam, field, first + k);
+            out[k] = node_field(beam, kind, first + k);
         return;
     }
     BondPlace place = lattice_bond_place(&beam->lattice, first);
     for (size_t k = 0; k < count; k++) {
-        out[k] = bond_field(beam, field, place);
+        out[k] = bond_field(beam, kind, place);
         place = lattice_next_bond(&beam->lattice, place);
     }
 }
@@ -425,7 +372,7 @@ void beam_set_fields(Beam *beam)
         return;
     }
     sim->fields = fields;
-    sim->n_fields = N_FIELDS;
+    sim->n_fields = sizeof fields / sizeof *fields;
     sim->common_speed = beam->def.problem == BEAM_MOVING_CANTILEVER ? beam->def.speed : 0;
     sim->has = HAS_PLANE | HAS_BONDS | HAS_STRETCH | (beam->def.problem == BEAM_PLATE ? HAS_ROWS : 0u);
     if (beam->def.critical_stretch > 0)
