@@ -171,7 +171,7 @@ static void fill(const File *file, char cells[CELLS][CELL_MAX])
     text_append(cells[CELL_AFTER], CELL_MAX, "%s", departure->stage > 0 ? departure->stage_id : "");
     if (file->table.set >= 0)
         text_append(cells[CELL_THING], CELL_MAX, "%s %zu", file->table.thing, departure->thing);
-    text_append(cells[CELL_COLUMN], CELL_MAX, "%s", file->table.columns[departure->column].name);
+    text_append(cells[CELL_COLUMN], CELL_MAX, "%s", file->table.as.columns[departure->column].name);
     put_number(cells[CELL_YOURS], departure->theirs);
     put_number(cells[CELL_RIGHT], departure->ours);
     put_number(cells[CELL_RATIO], departure->theirs / departure->ours);

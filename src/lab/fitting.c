@@ -125,7 +125,7 @@ static void lay_over(Laboratory *lab, DiagnoseTable *table)
         return;
     const char *curve = view_time_curve(&lab->screen);
     if (!overlay_choose(&theirs, "time", NULL, curve, "", NULL) &&
-        !overlay_choose(&theirs, "time", table->columns[0].name, curve, "", NULL)) {
+        !overlay_choose(&theirs, "time", table->as.columns[0].name, curve, "", NULL)) {
         overlay_close(&theirs);
         return;
     }

@@ -35,7 +35,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                     (moment->step == moment[-1].step && moment->stage > moment[-1].stage));
         rows += moment->count;
     }
-    FUZZ_ASSERT(!sound || (rows > 0 && rows <= table.file.count && table.n_columns > 0));
+    FUZZ_ASSERT(!sound || (rows > 0 && rows <= table.file.count && table.as.n_columns > 0));
     if (sound)
         diagnose_close(&table);
     return 0;

@@ -20,7 +20,6 @@ typedef struct DiagnoseColumn {
     int theirs;                  /* of the overlay */
     char name[OVERLAY_NAME_MAX]; /* ours */
     char unit[32];
-    char meaning[64];            /* ours, in words */
     char kinds[96];              /* it may be any of these by its name; "": it is `name` */
     char point[FOLLOW_TEXT_MAX]; /* of a series: it is one thing's, "particle 49 v"; "": the series' own */
     bool own;                    /* it has our name */
@@ -39,6 +38,17 @@ typedef struct DiagnoseMoment {
     size_t first, count;
 } DiagnoseMoment;
 
+/* A way to read the table. */
+typedef struct DiagnoseReading {
+    double dt;          /* by its times */
+    double time_factor; /* they times it are ours */
+    double last;        /* the scenario's last step with it */
+    double otherwise;   /* another time step with which a right code has these few digits; 0: none */
+    long shift;         /* its row of step n holds what the run has after step n + shift */
+    DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
+    int n_columns;
+} DiagnoseReading;
+
 typedef struct DiagnoseTable {
     Overlay file;
     int set; /* whose things the rows are of; -1: it is a series */
@@ -47,8 +57,7 @@ typedef struct DiagnoseTable {
     char stage_ids[DIAGNOSE_STAGES_MAX][24];
     int n_stages;
     char thing[16]; /* "particle" */
-    DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
-    int n_columns;
+    DiagnoseReading as;
     DiagnoseMoment *moments;
     size_t n_moments, all_moments; /* that are compared; that there are */
     size_t *rows;                  /* of the file, in the order of the moments */
@@ -57,14 +66,10 @@ typedef struct DiagnoseTable {
     size_t particles; /* or nodes, of the scenario's run */
     double spacing,
         spacing_bound;   /* of its times as they are written, where they alone give the step; else 0 */
-    double time_factor;  /* they times it are ours */
     double head_factor;  /* likewise as the unit in their head says; 0: it has none */
     int step_column;     /* of the file; -1: none */
     bool half;           /* its times are those of half steps */
-    long shift;          /* its row of step n holds what the run has after step n + shift */
-    double otherwise;    /* another time step with which a right code has these few digits; 0: none */
-    double dt;           /* by its times, by so much more or less: */
-    double dt_bound;     /* what is written with few digits leaves it open */
+    double dt_bound;     /* what times that are written with few digits leave open */
     bool timed;          /* they give one */
     int time_column;     /* of the file: its times, or else its steps */
     double noise;        /* round-off of two right codes after a step, as a share of a column's size */
@@ -88,11 +93,10 @@ typedef struct Departure {
     int stage;
     size_t thing;
     int column;
-    double theirs, ours;               /* in our units */
-    double theirs_before, ours_before; /* the same thing in the row before; NAN: there is none */
+    double theirs, ours;     /* in our units */
     char factors[96];        /* what their ratio is: "2, the particles in a cell"; "": no such thing */
     char change_factors[96]; /* likewise of the changes since the row before */
-    const char *stage_id, *stage_name; /* of the right run; NULL: the file has no stages */
+    const char *stage_id;    /* of the right run; NULL: the file has no stages */
 } Departure;
 
 typedef enum DiagnoseKind { DIAGNOSE_MISTAKE, DIAGNOSE_SCHEME, DIAGNOSE_VALUE } DiagnoseKind;

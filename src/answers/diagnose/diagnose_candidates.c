@@ -205,7 +205,7 @@ int diagnose_schemes(const Settings *right, const DiagnoseTable *table, int most
                         (settings_transfer(right)->shape == MPM_GIMP && strstr(axes[axis][way], "_uniform")))
                         continue;
                     Settings other = schemes.all[s].settings;
-                    if (take_way(&other, axes[axis][way]) && diagnose_hold_step(&other, table->dt, NULL))
+                    if (take_way(&other, axes[axis][way]) && diagnose_hold_step(&other, table->as.dt, NULL))
                         sound = add_scheme(&schemes, &other, choices, axis);
                 }
         sound = sound && (choices > 1 || add_others(&schemes, right, table));
@@ -233,7 +233,7 @@ bool diagnose_settings_of(const Candidate *candidate, const Settings *right, con
     if (candidate->parameter && candidate->kind == DIAGNOSE_MISTAKE) /* which leaves the step */
         return settings_check(out, NULL);
     if (!candidate->own_step)
-        return diagnose_hold_step(out, table->dt, NULL);
+        return diagnose_hold_step(out, table->as.dt, NULL);
     *settings_edit_time(out) = *candidate->own_step;
     return settings_check(out, NULL);
 }
@@ -444,9 +444,9 @@ static bool read_code(Code *code)
 /* Of the file; NULL: it has none of that name. */
 static const DiagnoseColumn *column_of_file(const DiagnoseTable *table, const char *name)
 {
-    for (int c = 0; c < table->n_columns; c++)
-        if (strcmp(table->columns[c].name, name) == 0)
-            return &table->columns[c];
+    for (int c = 0; c < table->as.n_columns; c++)
+        if (strcmp(table->as.columns[c].name, name) == 0)
+            return &table->as.columns[c];
     return NULL;
 }
 

@@ -20,39 +20,30 @@ typedef struct Extent {
 static Extent extent_of(const Search *search, int c)
 {
     const DiagnoseTable *table = search->table;
+    const size_t rows = diagnose_rows(table, search->walk.compared);
     Extent extent = {0, 0, 0};
-    for (size_t m = 0; m < search->walk.compared; m++)
-        for (size_t k = 0; k < table->moments[m].count; k++) {
-            const size_t row = table->moments[m].first + k;
-            const double theirs = diagnose_theirs(table, &table->columns[c], row);
-            const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
-            extent.given += isnan(theirs) ? 0 : 1;
-            extent.theirs = fmax(extent.theirs, fabs(theirs)); /* NAN counts for nothing */
-            extent.ours = fmax(extent.ours, fabs(ours));
-        }
+    for (size_t row = 0; row < rows; row++) {
+        const double theirs = diagnose_theirs(table, &table->as.columns[c], row);
+        extent.given += isnan(theirs) ? 0 : 1;
+        extent.theirs = fmax(extent.theirs, fabs(theirs)); /* NAN counts for nothing */
+        extent.ours = fmax(extent.ours, fabs(search->values[row * (size_t)table->as.n_columns + (size_t)c]));
+    }
     return extent;
-}
-
-/* The rows that are compared. */
-static size_t rows_of(const DiagnoseTable *table)
-{
-    const DiagnoseMoment *last = &table->moments[table->n_moments - 1];
-    return last->first + last->count;
 }
 
 /* Whether a column holds what is beside a run, an answer for each row, to its digits, and not the run. */
 static bool is_copy(const Search *search, int c, const double *answers)
 {
     const DiagnoseTable *table = search->table;
-    const DiagnoseColumn *column = &table->columns[c];
+    const DiagnoseColumn *column = &table->as.columns[c];
     size_t other = 0, counted = 0;
     if (strncmp(column->unit, "mass*length", 11) == 0)
         return false; /* a run may keep momentum exactly */
-    for (size_t row = 0; row < rows_of(table); row++) {
+    for (size_t row = 0; row < diagnose_rows(table, table->n_moments); row++) {
         const double theirs = diagnose_theirs(table, column, row);
         const double bound =
             diagnose_rounding(table, column, theirs) + diagnose_noise(table, column->natural, 0);
-        const double ours = search->values[row * (size_t)table->n_columns + (size_t)c];
+        const double ours = search->values[row * (size_t)table->as.n_columns + (size_t)c];
         if (isnan(theirs))
             continue;
         if (isnan(answers[row]) || fabs(theirs - answers[row]) > bound + 1e-9 * column->natural)
@@ -67,8 +58,8 @@ static bool is_copy(const Search *search, int c, const double *answers)
 bool diagnose_is_still(const Search *search, int c)
 {
     const DiagnoseTable *table = search->table;
-    const size_t count = table->moments[0].count, wide = (size_t)table->n_columns;
-    for (size_t row = 0; row < rows_of(table); row++)
+    const size_t count = table->moments[0].count, wide = (size_t)table->as.n_columns;
+    for (size_t row = 0; row < diagnose_rows(table, table->n_moments); row++)
         if (table->things[row] != table->things[row % count] ||
             search->values[row * wide + (size_t)c] != search->values[row % count * wide + (size_t)c])
             return false;
@@ -80,30 +71,30 @@ static void leave_out_lost(Search *search)
 {
     DiagnoseTable *table = search->table;
     bool still[DIAGNOSE_COLUMNS_MAX];
-    for (int c = 0; c < table->n_columns; c++)
+    for (int c = 0; c < table->as.n_columns; c++)
         still[c] = diagnose_is_still(search, c);
-    for (size_t row = 0; row < rows_of(table); row++) {
+    for (size_t row = 0; row < diagnose_rows(table, table->n_moments); row++) {
         bool goes_on = false;
-        for (int c = 0; c < table->n_columns; c++)
-            goes_on = goes_on || (!still[c] && isfinite(diagnose_theirs(table, &table->columns[c], row)));
-        for (int c = 0; c < table->n_columns && goes_on; c++) {
-            double *value = &table->file.columns[table->columns[c].theirs].values[table->rows[row]];
+        for (int c = 0; c < table->as.n_columns; c++)
+            goes_on = goes_on || (!still[c] && isfinite(diagnose_theirs(table, &table->as.columns[c], row)));
+        for (int c = 0; c < table->as.n_columns && goes_on; c++) {
+            double *value = &table->file.columns[table->as.columns[c].theirs].values[table->rows[row]];
             if (!isinf(*value))
                 continue;
             *value = NAN; /* in every reading that comes */
-            size_t *lost = &search->lost[table->columns[c].theirs];
+            size_t *lost = &search->lost[table->as.columns[c].theirs];
             *lost = *lost ? *lost : table->rows[row] + 1;
         }
     }
-    for (int c = 0; c < table->n_columns; c++)
-        if (search->lost[table->columns[c].theirs])
+    for (int c = 0; c < table->as.n_columns; c++)
+        if (search->lost[table->as.columns[c].theirs])
             diagnose_note(table, "its column %s is not a number from row %zu on: left out",
-                          table->columns[c].name, search->lost[table->columns[c].theirs]);
+                          table->as.columns[c].name, search->lost[table->as.columns[c].theirs]);
 }
 
 static void judge_copy(Search *search, int c, const char *what, const double *answers)
 {
-    DiagnoseColumn *column = &search->table->columns[c];
+    DiagnoseColumn *column = &search->table->as.columns[c];
     if (column->silent || !is_copy(search, c, answers))
         return;
     column->silent = true;
@@ -120,12 +111,12 @@ static void find_copied_series(Search *search, References *refs, const double *n
     double row[COLUMNS_MAX];
     const int count = references_memory(refs) == 0 ? references_columns(refs, columns) : 0;
     for (int i = 0; i < count; i++)
-        for (int c = 0; c < table->n_columns && columns[i].of >= 0; c++) {
-            if (strcmp(columns[columns[i].of].quantity.name, table->columns[c].name) != 0)
+        for (int c = 0; c < table->as.n_columns && columns[i].of >= 0; c++) {
+            if (strcmp(columns[columns[i].of].quantity.name, table->as.columns[c].name) != 0)
                 continue;
             for (size_t m = 0; m < table->n_moments; m++) {
                 const long step = table->moments[m].step;
-                references_row(refs, step, (double)step * table->dt, nothing, row);
+                references_row(refs, step, (double)step * table->as.dt, nothing, row);
                 answers[table->moments[m].first] = row[i];
             }
             judge_copy(search, c, columns[i].quantity.meaning, answers);
@@ -138,14 +129,14 @@ static void find_copied_things(Search *search, const References *refs, const Sim
     const DiagnoseTable *table = search->table;
     int place = simulation_find_field(sim, table->set, "x0");
     place = place >= 0 ? place : simulation_find_field(sim, table->set, "x");
-    for (int c = 0; c < table->n_columns && place >= 0; c++) {
-        const char *name = table->columns[c].name;
+    for (int c = 0; c < table->as.n_columns && place >= 0; c++) {
+        const char *name = table->as.columns[c].name;
         for (size_t m = 0; m < table->n_moments; m++)
             for (size_t k = 0; k < table->moments[m].count; k++) {
                 const size_t row = table->moments[m].first + k;
                 answers[row] = references_profile(refs, strcmp(name, "velocity") == 0 ? "v" : name,
                                                   simulation_value(sim, place, table->things[row]),
-                                                  (double)table->moments[m].step * table->dt);
+                                                  (double)table->moments[m].step * table->as.dt);
             }
         judge_copy(search, c, "the exact profile", answers);
     }
@@ -157,14 +148,14 @@ static bool find_copies(Search *search)
     Simulation *sim = problem_simulate(&search->right, 1, search->status);
     References *refs = sim ? references_create(&search->right, sim, search->status) : NULL;
     double *nothing = sim ? calloc((size_t)sim->n_series + 1, sizeof *nothing) : NULL;
-    double *answers = malloc((rows_of(table) + 1) * sizeof *answers);
+    double *answers = malloc((diagnose_rows(table, table->n_moments) + 1) * sizeof *answers);
     const bool sound = refs && nothing && answers;
     if (sound && table->set < 0)
         find_copied_series(search, refs, nothing, answers);
     else if (sound)
         find_copied_things(search, refs, sim, answers);
-    for (int c = 0; c < table->n_columns && search->found->verdict == DIAGNOSE_COPIED; c++)
-        table->columns[c].silent = table->columns[c].silent || diagnose_is_still(search, c);
+    for (int c = 0; c < table->as.n_columns && search->found->verdict == DIAGNOSE_COPIED; c++)
+        table->as.columns[c].silent = table->as.columns[c].silent || diagnose_is_still(search, c);
     references_destroy(refs);
     simulation_destroy(sim);
     free(nothing);
@@ -177,20 +168,19 @@ static void size_from_rest(Search *search)
 {
     DiagnoseTable *table = search->table;
     double size[DIAGNOSE_COLUMNS_MAX] = {0};
-    for (int c = 0; c < table->n_columns; c++)
-        size[table->columns[c].group] = fmax(size[table->columns[c].group], extent_of(search, c).ours);
-    for (int c = 0; c < table->n_columns; c++)
-        if (table->columns[c].natural == 0 && isfinite(size[table->columns[c].group]))
-            table->columns[c].natural = size[table->columns[c].group];
+    for (int c = 0; c < table->as.n_columns; c++)
+        size[table->as.columns[c].group] = fmax(size[table->as.columns[c].group], extent_of(search, c).ours);
+    for (int c = 0; c < table->as.n_columns; c++)
+        if (table->as.columns[c].natural == 0 && isfinite(size[table->as.columns[c].group]))
+            table->as.columns[c].natural = size[table->as.columns[c].group];
 }
 
-/* Empty columns and zeros. Returns how many are left. */
-static int silence(Search *search)
+/* Empty columns and zeros. */
+static void silence(Search *search)
 {
     DiagnoseTable *table = search->table;
-    int telling = 0;
-    for (int c = 0; c < table->n_columns; c++) {
-        DiagnoseColumn *column = &table->columns[c];
+    for (int c = 0; c < table->as.n_columns; c++) {
+        DiagnoseColumn *column = &table->as.columns[c];
         const Extent extent = extent_of(search, c);
         const double least = 1e2 * table->noise * column->natural;
         if (extent.given == 0)
@@ -201,17 +191,16 @@ static int silence(Search *search)
                           column->name);
         column->silent =
             extent.given == 0 || extent.theirs == 0 || (extent.theirs <= least && extent.ours <= least);
-        telling += !column->silent;
     }
-    return telling;
 }
 
-static bool is_quiet(const DiagnoseTable *table)
+/* Whether a column is left. */
+static bool is_telling(const DiagnoseTable *table)
 {
-    for (int c = 0; c < table->n_columns; c++)
-        if (!table->columns[c].silent)
-            return false;
-    return true;
+    for (int c = 0; c < table->as.n_columns; c++)
+        if (!table->as.columns[c].silent)
+            return true;
+    return false;
 }
 
 /* A column that was copied may leave others that were computed. */
@@ -220,16 +209,17 @@ bool diagnose_judge_columns(Search *search)
     DiagnoseTable *table = search->table;
     leave_out_lost(search);
     size_from_rest(search);
-    int telling = silence(search);
-    if (telling > 0 && table->moments[table->n_moments - 1].step == 0) {
+    silence(search);
+    bool tells = is_telling(table);
+    if (tells && table->moments[table->n_moments - 1].step == 0) {
         diagnose_note(table, "it has t = 0 alone, which the scenario gives");
-        telling = 0;
+        tells = false;
     }
-    if (telling > 0 && !table->of_stages && !find_copies(search))
+    if (tells && !table->of_stages && !find_copies(search))
         return false;
     const bool copied = search->found->verdict == DIAGNOSE_COPIED;
-    search->found->verdict = telling > 0 && !is_quiet(table) ? DIAGNOSE_UNKNOWN
-                             : copied                        ? DIAGNOSE_COPIED
-                                                             : DIAGNOSE_MUTE;
+    search->found->verdict = tells && is_telling(table) ? DIAGNOSE_UNKNOWN
+                             : copied                   ? DIAGNOSE_COPIED
+                                                        : DIAGNOSE_MUTE;
     return true;
 }

@@ -41,10 +41,13 @@ typedef struct Walk {
 /* False: the walk was given up, or the run cannot be made; the status says why. */
 bool diagnose_walk(Walk *, const DiagnoseTask *, const Settings *, Status *);
 
+/* The rows of so many moments, which come first. */
+size_t diagnose_rows(const DiagnoseTable *, size_t moments);
+
 /* Room for the values of a walk, all NAN; the caller frees it. NULL: there is no memory. */
 double *diagnose_room(const DiagnoseTable *);
 
-/* The first entry that departs; what was before it is not known. */
+/* An entry that departs. */
 Departure diagnose_departure(const DiagnoseTable *, size_t moment, size_t row, int column, double theirs,
                              double ours);
 
@@ -160,19 +163,9 @@ void diagnose_conclude(Diagnosis *, const DiagnoseTable *);
 /* Whether no other code and no other reading is tried any more; what is found says so. */
 bool diagnose_time_is_up(const Search *);
 
-/* diagnose_reading.c: how the table may be meant. */
-typedef struct DiagnoseReading {
-    double dt, time_factor;
-    long shift;       /* DiagnoseTable */
-    double last;      /* a step of the scenario's end */
-    double otherwise; /* DiagnoseTable */
-    DiagnoseColumn columns[DIAGNOSE_COLUMNS_MAX];
-    int n_columns;
-} DiagnoseReading;
-
-/* The likeliest first; that which agrees with a right code alone, where one does. `deep`: of the plane that
- * with which a wrong code agrees, which takes many runs. Returns how many there are; -1: it was given up, or
- * there is no memory. */
+/* diagnose_reading.c: how the table may be meant. The likeliest first; that which agrees with a right code
+ * alone, where one does. `deep`: of the plane that with which a wrong code agrees, which takes many runs.
+ * Returns how many there are; -1: it was given up, or there is no memory. */
 enum { READINGS_MAX = 4 };
 int diagnose_readings(const Search *, bool deep, DiagnoseReading out[READINGS_MAX]);
 

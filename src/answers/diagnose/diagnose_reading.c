@@ -38,7 +38,7 @@ static double time_of(const DiagnoseTable *table, size_t moment)
 
 /* The steps that the times of a reading are of: whole ones, or all half a step off. False: they are of none.
  */
-static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, double last)
+static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading)
 {
     const OverlayColumn *times = &table->file.columns[table->time_column];
     bool half = false;
@@ -65,7 +65,7 @@ static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, doubl
         table->moments[m].step = (long)step;
     }
     table->half = half;
-    const double most = fmax(1e5, 10 * last);
+    const double most = fmax(1e5, 10 * reading->last);
     table->n_moments = table->all_moments;
     while (table->n_moments > 0 && (double)table->moments[table->n_moments - 1].step > most)
         table->n_moments--;
@@ -74,16 +74,11 @@ static bool steps_of(DiagnoseTable *table, const DiagnoseReading *reading, doubl
 
 bool diagnose_read_as(DiagnoseTable *table, const DiagnoseReading *reading)
 {
-    if (!table->of_stages && !steps_of(table, reading, reading->last))
+    if (!table->of_stages && !steps_of(table, reading))
         return false;
-    table->dt = reading->dt;
+    table->as = *reading;
     if (table->spacing > 0)
-        table->dt_bound = table->spacing_bound / table->spacing * table->dt;
-    table->shift = reading->shift;
-    table->time_factor = reading->time_factor;
-    memcpy(table->columns, reading->columns, sizeof table->columns);
-    table->n_columns = reading->n_columns;
-    table->otherwise = reading->otherwise;
+        table->dt_bound = table->spacing_bound / table->spacing * reading->dt;
     return true;
 }
 
@@ -93,7 +88,7 @@ enum { ENOUGH_DIGITS = 6, FIELDS_MAX = 64 }; /* more than any simulation has */
 
 /* A quantity that a column may be, and how long it agrees. */
 typedef struct Source {
-    int series, field; /* of the simulation; one of them is -1 */
+    int of; /* fields come first, then series */
     size_t thing;
     double factor;
     size_t agreed, telling; /* entries; of them those above round-off */
@@ -108,7 +103,7 @@ typedef struct Sources {
 
 static const double signs_and_units[] = {1, -1, 1e-3, 1e3};
 
-static bool add_source(Sources *sources, int series, int field, size_t thing, double mass)
+static bool add_source(Sources *sources, int of, size_t thing, double mass)
 {
     for (size_t i = 0; i < sizeof signs_and_units / sizeof *signs_and_units + (mass > 0); i++) {
         if (sources->count == sources->room) {
@@ -120,7 +115,7 @@ static bool add_source(Sources *sources, int series, int field, size_t thing, do
             sources->room = room;
         }
         const double factor = i < 4 ? signs_and_units[i] : 1 / mass;
-        sources->all[sources->count++] = (Source){series, field, thing, factor, 0, 0, false, false, 0};
+        sources->all[sources->count++] = (Source){.of = of, .thing = thing, .factor = factor};
     }
     return true;
 }
@@ -137,15 +132,6 @@ static size_t nth_point(size_t n, size_t count)
     return k < middle ? k : k + 1; /* count - 2 of them are left */
 }
 
-static double mass_of(Simulation *sim)
-{
-    const int field = simulation_find_field(sim, 0, "mass");
-    double sum = 0;
-    for (size_t k = 0; field >= 0 && k < sim->counts[0]; k++)
-        sum += simulation_value(sim, field, k);
-    return sum;
-}
-
 /* Whether a name may be one of a field's: "v" of the v of a particle. */
 static bool may_be(const char *kinds, const char *field)
 {
@@ -157,44 +143,45 @@ static bool may_be(const char *kinds, const char *field)
 }
 
 /* A velocity may be that of a node: mapped, or after the force. */
-static bool find_nodes(const DiagnoseTable *table, const DiagnoseColumn *column, const Simulation *sim,
+static bool find_nodes(const DiagnoseTable *table, const DiagnoseColumn *column, Simulation *sim,
                        Sources *out)
 {
     bool sound = true;
-    out->count = 0;
     for (int f = 0; f < sim->n_fields && f < FIELDS_MAX && table->set < 0 && may_be(column->kinds, "v"); f++)
         if (sim->sets[sim->fields[f].set].ready_after > 0 &&
             (strcmp(sim->fields[f].quantity.name, "velocity") == 0 ||
              strcmp(sim->fields[f].quantity.name, "velocity_new") == 0))
             for (size_t k = 0; k < sim->counts[sim->fields[f].set] && k < POINTS_MAX && sound; k++)
-                sound = add_source(out, -1, f, k, 0);
+                sound = add_source(out, f, k, 0);
     return sound;
 }
 
 static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *column, Simulation *sim,
                          Sources *out)
 {
-    const double mass = table->set < 0 && (may_be(column->kinds, "v_cm") || strcmp(column->name, "v_cm") == 0)
-                            ? mass_of(sim)
-                            : 0;
-    const int series = table->set < 0 ? simulation_find_series(sim, column->name) : -1;
-    const int own = table->set < 0 ? -1 : simulation_find_field(sim, table->set, column->name);
+    const bool of_series = table->set < 0;
+    const int masses = simulation_find_field(sim, 0, "mass");
+    double mass = 0; /* a column of momentum over it is v_cm */
+    if (of_series && (may_be(column->kinds, "v_cm") || strcmp(column->name, "v_cm") == 0))
+        for (size_t k = 0; masses >= 0 && k < sim->counts[0]; k++)
+            mass += simulation_value(sim, masses, k);
+    const int own = of_series ? simulation_find_series(sim, column->name)
+                              : simulation_find_field(sim, table->set, column->name);
     bool sound = true;
-    out->count = 0;
-    if (series >= 0 || own >= 0)
-        sound = add_source(out, series, own, 0, column->own ? 0 : mass);
-    for (int i = 0; i < sim->n_series && table->set < 0 && sound; i++)
-        if (i != series && may_be(column->kinds, sim->series[i].name))
-            sound = add_source(out, i, -1, 0, mass);
+    if (own >= 0)
+        sound = add_source(out, of_series ? sim->n_fields + own : own, 0, column->own ? 0 : mass);
+    for (int i = 0; i < sim->n_series && of_series && sound; i++)
+        if (i != own && may_be(column->kinds, sim->series[i].name))
+            sound = add_source(out, sim->n_fields + i, 0, mass);
     for (int f = 0; f < sim->n_fields && f < FIELDS_MAX && sound; f++) {
         const Field *field = &sim->fields[f];
-        if (field->set != (table->set < 0 ? 0 : table->set) || !may_be(column->kinds, field->quantity.name))
+        if (field->set != (of_series ? 0 : table->set) || !may_be(column->kinds, field->quantity.name))
             continue;
-        if (table->set >= 0)
-            sound = f == own || add_source(out, -1, f, 0, 0);
+        if (!of_series)
+            sound = f == own || add_source(out, f, 0, 0);
         const size_t points = sim->counts[0] < POINTS_MAX ? sim->counts[0] : POINTS_MAX;
-        for (size_t k = 0; table->set < 0 && k < points && sound && points > 2; k++)
-            sound = add_source(out, -1, f, nth_point(k, sim->counts[0]), 0);
+        for (size_t k = 0; of_series && k < points && sound && points > 2; k++)
+            sound = add_source(out, f, nth_point(k, sim->counts[0]), 0);
     }
     return sound;
 }
@@ -247,7 +234,7 @@ typedef struct Trials {
 
 static bool is_given(const DiagnoseTable *table, int c)
 {
-    const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
+    const OverlayColumn *column = &table->file.columns[table->as.columns[c].theirs];
     const double most = fmax(fabs(column->least), fabs(column->largest)); /* of what may not be finite */
     return most > 0 && !(isinf(column->least) && isinf(column->largest));
 }
@@ -256,8 +243,8 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
 {
     const DiagnoseTable *table = trials->search->table;
     const DiagnoseMoment *now = &table->moments[moment];
-    for (int c = 0; c < table->n_columns; c++) {
-        const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
+    for (int c = 0; c < table->as.n_columns; c++) {
+        const OverlayColumn *column = &table->file.columns[table->as.columns[c].theirs];
         for (size_t k = now->first; k < now->first + now->count; k++) {
             const double written = column->values[table->rows[k]];
             const double digit = 0.51 * diagnose_last_digit(column, written);
@@ -268,14 +255,14 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
                 if (source->over)
                     continue;
                 const size_t thing = table->set < 0 ? source->thing : table->things[k];
-                const double ours =
-                    source->series >= 0 ? trials->row[source->series] : trials->field[source->field][thing];
-                const double size =
-                    trials->most[source->series >= 0 ? sim->n_fields + source->series : source->field];
-                const double factor = source->factor * table->columns[c].factor;
+                const double ours = source->of >= sim->n_fields ? trials->row[source->of - sim->n_fields]
+                                                                : trials->field[source->of][thing];
+                const double size = trials->most[source->of];
+                const double factor = source->factor * table->as.columns[c].factor;
                 const double theirs = written * factor;
                 const double beyond = fmax(0, fabs(theirs - ours) - digit * fabs(factor));
-                const double scale = fmax(fmax(size, fabs(theirs)), table->columns[c].terms * fabs(factor));
+                const double scale =
+                    fmax(fmax(size, fabs(theirs)), table->as.columns[c].terms * fabs(factor));
                 source->over = !(beyond <= TOLERANCE * scale);
                 source->off = scale > 0 ? fmax(source->off, beyond / scale) : source->off;
                 source->agreed += !source->over;
@@ -288,7 +275,6 @@ static void compare_sources(Trials *trials, const Simulation *sim, size_t moment
     }
 }
 
-/* Fields come first, then series. */
 static const Quantity *nth_quantity(const Simulation *sim, int i)
 {
     return i < sim->n_fields ? &sim->fields[i].quantity : &sim->series[i - sim->n_fields];
@@ -298,10 +284,9 @@ static const Quantity *nth_quantity(const Simulation *sim, int i)
 static void find_sizes(Trials *trials, Simulation *sim)
 {
     simulation_row(sim, trials->row);
-    for (int c = 0; c < trials->search->table->n_columns; c++)
+    for (int c = 0; c < trials->search->table->as.n_columns; c++)
         for (size_t k = 0; k < trials->sources[c].count; k++) {
-            const Source *source = &trials->sources[c].all[k];
-            const int i = source->series >= 0 ? sim->n_fields + source->series : source->field;
+            const int i = trials->sources[c].all[k].of;
             int alike = 0;
             while (!diagnose_are_alike(nth_quantity(sim, alike), nth_quantity(sim, i)))
                 alike++;
@@ -328,17 +313,6 @@ static void read_fields(Simulation *sim, void *context)
     }
 }
 
-static bool read_now(Trials *trials, Simulation *sim)
-{
-    simulation_row(sim, trials->row);
-    for (int i = 0; i < sim->n_series; i++)
-        trials->most[sim->n_fields + i] = fmax(trials->most[sim->n_fields + i], fabs(trials->row[i]));
-    if (trials->nodes)
-        return simulation_visit(sim, NULL, read_fields, trials);
-    read_fields(sim, trials);
-    return true;
-}
-
 /* The run as far as some source of some column agrees, and the time lasts. False: it was given up. */
 static bool go_along(Trials *trials, Simulation *sim)
 {
@@ -351,16 +325,21 @@ static bool go_along(Trials *trials, Simulation *sim)
         if (diagnose_time_is_up(trials->search))
             break;
         if (!simulation_steps(sim, table->moments[m].step - sim->step, NULL, NULL, NULL)) {
-            for (int c = 0; c < table->n_columns; c++) /* the file's run goes on */
+            for (int c = 0; c < table->as.n_columns; c++) /* the file's run goes on */
                 for (size_t i = 0; i < trials->sources[c].count; i++)
                     trials->sources[c].all[i].over = true;
             break;
         }
-        if (!read_now(trials, sim))
+        simulation_row(sim, trials->row);
+        for (int i = 0; i < sim->n_series; i++)
+            trials->most[sim->n_fields + i] = fmax(trials->most[sim->n_fields + i], fabs(trials->row[i]));
+        if (!trials->nodes)
+            read_fields(sim, trials);
+        else if (!simulation_visit(sim, NULL, read_fields, trials))
             return false;
         compare_sources(trials, sim, m);
         any = false;
-        for (int c = 0; c < table->n_columns; c++)
+        for (int c = 0; c < table->as.n_columns; c++)
             for (size_t i = 0; i < trials->sources[c].count && !any; i++)
                 any = !trials->sources[c].all[i].over && is_given(table, c);
     }
@@ -372,14 +351,14 @@ static bool is_evidence(const DiagnoseTable *table, int c, const Source *source)
 {
     enum { ENTRIES = 3, DIGITS = 4 };
     return source->telling >= ENTRIES ||
-           (source->first && table->file.columns[table->columns[c].theirs].digits >= DIGITS);
+           (source->first && table->file.columns[table->as.columns[c].theirs].digits >= DIGITS);
 }
 
 static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
 {
     const DiagnoseTable *table = trials->search->table;
     trial->throughout = true;
-    for (int c = 0; c < table->n_columns; c++) {
+    for (int c = 0; c < table->as.n_columns; c++) {
         const Sources *sources = &trials->sources[c];
         const Source *best = NULL;
         for (size_t i = 0; i < sources->count; i++) /* zeros alone are of any that is held */
@@ -405,15 +384,12 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
             continue;
         column->scale = best->factor;
         column->factor *= best->factor;
-        const Quantity *quantity =
-            best->series >= 0 ? &sim->series[best->series] : &sim->fields[best->field].quantity;
+        const Quantity *quantity = nth_quantity(sim, best->of);
         snprintf(column->name, sizeof column->name, "%s", quantity->name);
         snprintf(column->unit, sizeof column->unit, "%s", quantity->unit);
-        snprintf(column->meaning, sizeof column->meaning, "%s", quantity->label);
-        column->natural = fmax(trials->size[best->series >= 0 ? sim->n_fields + best->series : best->field],
-                               column->terms * fabs(column->factor));
-        if (table->set < 0 && best->field >= 0) {
-            const char *thing = sim->sets[sim->fields[best->field].set].name;
+        column->natural = fmax(trials->size[best->of], column->terms * fabs(column->factor));
+        if (table->set < 0 && best->of < sim->n_fields) {
+            const char *thing = sim->sets[sim->fields[best->of].set].name;
             snprintf(column->point, sizeof column->point, "%s %zu %s", thing, best->thing, quantity->name);
             snprintf(column->name, sizeof column->name, "%s_%zu_%.20s", thing, best->thing, quantity->name);
         }
@@ -422,7 +398,7 @@ static void keep_best(const Trials *trials, const Simulation *sim, Trial *trial)
     /* what nothing of ours is like is left out */
     DiagnoseColumn *columns = trial->reading.columns;
     trial->reading.n_columns = 0;
-    for (int c = 0; c < table->n_columns; c++)
+    for (int c = 0; c < table->as.n_columns; c++)
         if (strcmp(columns[c].name, "?") != 0)
             columns[trial->reading.n_columns++] = columns[c];
     for (int c = 0; c < trial->reading.n_columns; c++)
@@ -437,10 +413,10 @@ static bool make_room(Trials *trials, const Simulation *sim)
     bool sound = true;
     memset(trials->wanted, 0, sizeof trials->wanted);
     memset(trials->moves, 0, sizeof trials->moves);
-    for (int c = 0; c < table->n_columns; c++)
+    for (int c = 0; c < table->as.n_columns; c++)
         for (size_t i = 0; i < trials->sources[c].count; i++)
-            if (trials->sources[c].all[i].field >= 0)
-                trials->wanted[trials->sources[c].all[i].field] = true;
+            if (trials->sources[c].all[i].of < sim->n_fields)
+                trials->wanted[trials->sources[c].all[i].of] = true;
     for (int f = 0; f < FIELDS_MAX && sound; f++) { /* another scheme has others */
         free(trials->field[f]);
         trials->field[f] = NULL;
@@ -469,9 +445,11 @@ static bool try_reading(Trials *trials, const DiagnoseReading *reading, const Se
         return true;
     Simulation *sim = diagnose_simulate(settings, trials->search->task->threads, NULL);
     bool sound = true;
-    for (int c = 0; c < table->n_columns && sim && sound; c++)
-        sound = trials->nodes ? find_nodes(table, &table->columns[c], sim, &trials->sources[c])
-                              : find_sources(table, &table->columns[c], sim, &trials->sources[c]);
+    for (int c = 0; c < table->as.n_columns && sim && sound; c++) {
+        trials->sources[c].count = 0;
+        sound = (trials->nodes ? find_nodes : find_sources)(table, &table->as.columns[c], sim,
+                                                            &trials->sources[c]);
+    }
     if (sim && sound && (sound = make_room(trials, sim))) {
         Trial *trial = &trials->all[trials->count++];
         *trial = (Trial){.reading = *reading, .plain = plain && !trials->nodes};
@@ -495,14 +473,11 @@ static bool is_whole(double number, double bound)
 /* A reading of times with columns as the file has them. */
 static DiagnoseReading reading_of(const Trials *trials, const TrialTimes *times)
 {
-    const DiagnoseTable *table = trials->search->table;
-    DiagnoseReading reading = {
-        .dt = times->dt,
-        .time_factor = times->factor,
-        .shift = times->shift,
-        .last = (double)problem_last_step(times->dt, settings_time(trials->search->task->settings)->end),
-        .n_columns = table->n_columns};
-    memcpy(reading.columns, table->columns, sizeof reading.columns);
+    DiagnoseReading reading = trials->search->table->as;
+    reading.dt = times->dt;
+    reading.time_factor = times->factor;
+    reading.shift = times->shift;
+    reading.last = (double)problem_last_step(times->dt, settings_time(trials->search->task->settings)->end);
     return reading;
 }
 
@@ -588,8 +563,8 @@ static bool is_settled(const Trials *trials)
 {
     const DiagnoseTable *table = trials->search->table;
     bool settled = trials->count > 0 && trials->all[0].reading.shift == 0 && trials->all[0].firsts > 0;
-    for (int c = 0; c < table->n_columns; c++)
-        settled = settled && table->columns[c].own;
+    for (int c = 0; c < table->as.n_columns; c++)
+        settled = settled && table->as.columns[c].own;
     return settled;
 }
 
@@ -604,7 +579,7 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
 {
     enum { FEW_CHOICES = 1, SOME_CHOICES = 2 };
     DiagnoseTable *table = trials->search->table;
-    const double dt = table->dt;
+    const double dt = table->as.dt;
     const bool wrong = round->wrong, settled = is_settled(trials);
     const Settings *right = trials->search->task->settings;
     const bool of_plane = diagnose_is_of_plane(right);
@@ -625,17 +600,17 @@ static bool try_codes(Trials *trials, const Round *round, int end, bool *found)
                 (settled && (times->plain || (wrong && pass > 2 && !sparse))) ||
                 (wrong && pass == 1 && of_plane &&
                  (of_own_steps || 10.5 * times->dt < table->spacing * times->factor)) ||
-                (wrong && pass > 1 && table->set >= 0 && strcmp(table->columns[0].name, "?") == 0) ||
+                (wrong && pass > 1 && table->set >= 0 && strcmp(table->as.columns[0].name, "?") == 0) ||
                 !diagnose_hold_step(&held, times->dt, NULL) || !is_stable(&held))
                 continue;
             settings_edit_lattice(&held)->step_is_known = true; /* none of the codes looks for its own */
-            table->dt = times->dt;                              /* that of the schemes */
+            table->as.dt = times->dt;                           /* that of the schemes */
             const int count = diagnose_schemes(&held, table,
                                                pass < 2            ? FEW_CHOICES
                                                : wrong && pass > 2 ? SOME_CHOICES
                                                                    : ANY_CHOICES,
                                                &schemes);
-            table->dt = dt;
+            table->as.dt = dt;
             for (int s = 0; s < count; s++)
                 for (int m = wrong;
                      m < mistakes && sound && !*found && (schemes[s].choices > FEW_CHOICES) == (pass >= 2) &&
@@ -686,7 +661,7 @@ static bool try_all_times(Trials *trials, bool *found)
     static const double steps[] = {2, 5, 0.5, 2.5, 4, 3, 8, 0.2, 0.1, 0.25, 9}; /* where no time shows it */
     static const int parts[] = {2, 3, 4, 5, 8, 10, 20, 25, 40, 50, 100};
     if (table->step_column >= 0 || table->of_stages || !(table->spacing > 0)) {
-        if (!try_times(trials, table->time_factor, table->dt, true, found))
+        if (!try_times(trials, table->as.time_factor, table->as.dt, true, found))
             return false;
         for (size_t i = 0; !table->timed && !table->of_stages && i < sizeof steps / sizeof *steps && !*found;
              i++)
@@ -698,8 +673,8 @@ static bool try_all_times(Trials *trials, bool *found)
     }
     for (int pass = 0; pass < 2; pass++) /* the plain ones first */
         for (size_t f = 0; f < sizeof factors / sizeof *factors && !*found; f++) {
-            const bool given = table->time_factor != 1;
-            const double factor = given ? table->time_factor : factors[f];
+            const bool given = table->as.time_factor != 1;
+            const double factor = given ? table->as.time_factor : factors[f];
             const double spacing = roundest(table->spacing * factor, table->spacing_bound * factor, dt);
             const bool likely = f == 0 || (f == 1 && far && !(told > 0));
             if (given && f > 0)
@@ -803,7 +778,7 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
         for (int i = 0; i < trials->count; i++)
             if (!taken[i] && trials->all[i].plain &&
                 (trials->all[i].firsts == most ||
-                 (most > 0 && trials->all[i].begun == trials->search->table->n_columns)) &&
+                 (most > 0 && trials->all[i].begun == trials->search->table->as.n_columns)) &&
                 (best < 0 || is_likelier(&trials->all[i], &trials->all[best])))
                 best = i;
         /* a sum that is kept agrees in rows of any step */
@@ -815,7 +790,7 @@ static int choose(const Trials *trials, DiagnoseReading out[READINGS_MAX])
         denied = denied && trials->all[best].denied;
         bool same = false;
         for (int i = 0; i < count; i++)
-            same = same || is_same(&out[i], &trials->all[best].reading, trials->search->table->n_columns);
+            same = same || is_same(&out[i], &trials->all[best].reading, trials->search->table->as.n_columns);
         if (!same)
             out[count++] = trials->all[best].reading;
     }
@@ -847,12 +822,9 @@ static bool is_of_point(const Trials *trials)
 int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READINGS_MAX])
 {
     const DiagnoseTable begun = *search->table;
-    const DiagnoseReading as_it_is = {
-        .dt = begun.dt, .time_factor = begun.time_factor, .last = INFINITY, .n_columns = begun.n_columns};
-    out[0] = as_it_is;
-    memcpy(out[0].columns, begun.columns, sizeof begun.columns);
     bool given = false;
-    for (int c = 0; c < begun.n_columns; c++)
+    out[0] = begun.as;
+    for (int c = 0; c < begun.as.n_columns; c++)
         given = given || is_given(&begun, c);
     if (begun.of_stages || begun.of_next)
         return 1;
@@ -865,7 +837,7 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
                            ? FINE
                            : TOLERANCE;
         const bool of_bar = !diagnose_is_of_plane(search->task->settings);
-        const int ways = 1 + (of_bar && begun.n_columns == 1 && may_be(begun.columns[0].kinds, "v"));
+        const int ways = 1 + (of_bar && begun.as.n_columns == 1 && may_be(begun.as.columns[0].kinds, "v"));
         bool sound = true;
         for (int way = 0; way < ways && sound && !found; way++) {
             trials->nodes = way > 0;
@@ -874,7 +846,7 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
         /* where they are settled, others are for times that nothing shows, when no code explains these; wrong
          * codes with a part of the rows' time likewise */
         const bool settled = is_settled(trials),
-                   few = !given || begun.file.count * (size_t)begun.n_columns < OTHERS_ROWS_LEAST,
+                   few = !given || begun.file.count * (size_t)begun.as.n_columns < OTHERS_ROWS_LEAST,
                    useless = few || (settled ? !begun.timed && !deep : deep && of_bar);
         for (int i = 0; i < ROUNDS * ways && sound && !found && trials->doubt == 0 && !useless; i++) {
             const Round *round = &rounds[i / ways];

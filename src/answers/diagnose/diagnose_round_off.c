@@ -16,9 +16,9 @@ bool diagnose_is_single(const DiagnoseTable *table)
     /* of ten numbers one is single by chance, for each digit above seven */
     enum { DIGITS = 8, DIGITS_MOST = 11, LEAST = 10, ENTRIES = 5 };
     size_t counted = 0, entries = 0;
-    for (int c = 0; c < table->n_columns; c++) {
-        const OverlayColumn *column = &table->file.columns[table->columns[c].theirs];
-        for (size_t k = 0; k < table->file.count && !table->columns[c].silent && column->digits >= DIGITS;
+    for (int c = 0; c < table->as.n_columns; c++) {
+        const OverlayColumn *column = &table->file.columns[table->as.columns[c].theirs];
+        for (size_t k = 0; k < table->file.count && !table->as.columns[c].silent && column->digits >= DIGITS;
              k++) {
             const double value = column->values[k];
             if (!isfinite(value) || value == 0)
@@ -59,9 +59,9 @@ double diagnose_terms(const Overlay *file, int column)
 int diagnose_digits_written(const DiagnoseTable *table)
 {
     int most = 0;
-    for (int c = 0; c < table->n_columns; c++)
-        if (!table->columns[c].silent)
-            most = (int)fmax(most, table->file.columns[table->columns[c].theirs].digits);
+    for (int c = 0; c < table->as.n_columns; c++)
+        if (!table->as.columns[c].silent)
+            most = (int)fmax(most, table->file.columns[table->as.columns[c].theirs].digits);
     return most;
 }
 
@@ -96,12 +96,12 @@ static size_t growth(const DiagnoseTable *table, size_t moments, const double *o
     /* one run for all; where a stretch is a difference of lengths a step may lose more than the last digit */
     const double margin =
         table->noise < 1e-8 ? fmax(100, 1e-2 * table->noise / DBL_EPSILON) : 10 / DBL_EPSILON * FLT_EPSILON;
-    const size_t wide = (size_t)table->n_columns;
+    const size_t wide = (size_t)table->as.n_columns;
     double size[DIAGNOSE_COLUMNS_MAX] = {0}, most[DIAGNOSE_COLUMNS_MAX] = {0};
     for (size_t m = 0; m < moments; m++) {
         for (size_t k = 0; k < table->moments[m].count; k++)
-            for (int c = 0; c < table->n_columns; c++) {
-                const DiagnoseColumn *column = &table->columns[c];
+            for (int c = 0; c < table->as.n_columns; c++) {
+                const DiagnoseColumn *column = &table->as.columns[c];
                 const size_t at = (table->moments[m].first + k) * wide + (size_t)c;
                 const double apart = margin * fabs(one[at] - other[at]);
                 if (column->silent || isnan(apart))
@@ -122,7 +122,7 @@ double *diagnose_grown(const Search *search, const Settings *settings, size_t *m
     Settings twin = *settings;
     const Settings *both[2] = {settings, &twin};
     double *values[2] = {diagnose_room(table), diagnose_room(table)};
-    double *grown = calloc(table->file.count * (size_t)table->n_columns + 1, sizeof *grown);
+    double *grown = calloc(table->file.count * (size_t)table->as.n_columns + 1, sizeof *grown);
     bool known = values[0] && values[1] && grown && disturb(&twin);
     *moments = table->n_moments;
     for (int i = 0; i < 2 && known; i++) {

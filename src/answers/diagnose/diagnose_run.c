@@ -59,9 +59,7 @@ Departure diagnose_departure(const DiagnoseTable *table, size_t moment, size_t r
                        .thing = table->things[row],
                        .column = column,
                        .theirs = theirs,
-                       .ours = ours,
-                       .theirs_before = NAN,
-                       .ours_before = NAN};
+                       .ours = ours};
 }
 
 /* --- on the way ----------------------------------------------------------------------------------------- */
@@ -88,17 +86,17 @@ static void depart(Walker *walker, size_t row, int column, double theirs, double
         return;
     walk->departure = diagnose_departure(table, walker->moment, row, column, theirs, ours);
     if (walker->moment > 0 && moment->step == moment[-1].step + 1)
-        walk->jump = fabs(theirs - ours) / walker->size[table->columns[column].group];
+        walk->jump = fabs(theirs - ours) / walker->size[table->as.columns[column].group];
 }
 
 static void compare(Walker *walker, size_t row, int c, double ours)
 {
     Walk *walk = walker->walk;
     const DiagnoseTable *table = walk->table;
-    const DiagnoseColumn *column = &table->columns[c];
+    const DiagnoseColumn *column = &table->as.columns[c];
     const double theirs = diagnose_theirs(table, column, row);
     if (walk->values)
-        walk->values[row * (size_t)table->n_columns + (size_t)c] = ours;
+        walk->values[row * (size_t)table->as.n_columns + (size_t)c] = ours;
     if (column->silent || isnan(theirs) || isnan(ours) || (isinf(theirs) && isinf(ours)))
         return;
     if (isinf(theirs)) {
@@ -110,7 +108,7 @@ static void compare(Walker *walker, size_t row, int c, double ours)
     *size = fmax(*size, fabs(theirs));
     const double difference = fabs(theirs - ours);
     const double grown =
-        walk->grown ? walk->grown[walker->moment * (size_t)table->n_columns + (size_t)column->group] : 0;
+        walk->grown ? walk->grown[walker->moment * (size_t)table->as.n_columns + (size_t)column->group] : 0;
     if (*size > 0)
         walk->farthest = fmax(walk->farthest, difference / *size);
     const double rounding = diagnose_rounding(table, column, theirs);
@@ -136,7 +134,7 @@ static void compare_things(Walker *walker, Simulation *sim)
     const DiagnoseMoment *moment = &table->moments[walker->moment];
     const size_t things = sim->counts[table->set];
     const bool all = moment->count * 8 >= things;
-    for (int c = 0; c < table->n_columns; c++) {
+    for (int c = 0; c < table->as.n_columns; c++) {
         const int field = walker->ours[c];
         if (all)
             sim->method->field(sim, field, 0, things, walker->field);
@@ -165,7 +163,7 @@ static bool take_state(void *owner, Run *run, Status *status)
     (void)status;
     if (set < 0) {
         simulation_row(run->sim, walker->row);
-        for (int c = 0; c < table->n_columns && !walker->done; c++)
+        for (int c = 0; c < table->as.n_columns && !walker->done; c++)
             compare(walker, table->moments[walker->moment].first, c, walker->row[walker->ours[c]]);
     } else if (table->of_stages || run->sim->sets[set].ready_after == 0)
         compare_things(walker, run->sim);
@@ -201,9 +199,14 @@ static bool take_stage(void *owner, Run *run, long step, int stage, Status *stat
     return !walker->done && (next->step != step || next->stage != number || take_state(owner, run, status));
 }
 
+size_t diagnose_rows(const DiagnoseTable *table, size_t moments)
+{
+    return moments > 0 ? table->moments[moments - 1].first + table->moments[moments - 1].count : 0;
+}
+
 double *diagnose_room(const DiagnoseTable *table)
 {
-    const size_t entries = table->file.count * (size_t)table->n_columns;
+    const size_t entries = table->file.count * (size_t)table->as.n_columns;
     double *values = malloc((entries + 1) * sizeof *values);
     for (size_t i = 0; values && i < entries; i++)
         values[i] = NAN;
@@ -216,13 +219,13 @@ double *diagnose_room(const DiagnoseTable *table)
 static bool find_columns(Walker *walker, const Simulation *sim)
 {
     const DiagnoseTable *table = walker->walk->table;
-    for (int c = 0; c < table->n_columns; c++) {
-        const char *name = table->columns[c].name;
+    for (int c = 0; c < table->as.n_columns; c++) {
+        const char *name = table->as.columns[c].name;
         walker->ours[c] =
             table->set < 0 ? simulation_find_series(sim, name) : simulation_find_field(sim, table->set, name);
         if (walker->ours[c] < 0)
             return false;
-        walker->size[c] = table->columns[c].natural;
+        walker->size[c] = table->as.columns[c].natural;
     }
     for (int i = 0; i < sim->n_stages && i < DIAGNOSE_STAGES_MAX; i++)
         for (int k = 0; k < table->n_stages; k++)
@@ -258,11 +261,11 @@ bool diagnose_walk(Walk *walk, const DiagnoseTask *task, const Settings *setting
     if (walk->moments == 0 || walk->moments > table->n_moments)
         walk->moments = table->n_moments;
     output->columns[0] = output->follow[0] = '\0';
-    for (int c = 0; c < table->n_columns && table->set < 0; c++)
-        if (*table->columns[c].point)
-            text_list_add(output->follow, sizeof output->follow, table->columns[c].point);
-        else if (strlen(output->columns) + strlen(table->columns[c].name) + 3 < sizeof output->columns)
-            text_list_add(output->columns, sizeof output->columns, table->columns[c].name);
+    for (int c = 0; c < table->as.n_columns && table->set < 0; c++)
+        if (*table->as.columns[c].point)
+            text_list_add(output->follow, sizeof output->follow, table->as.columns[c].point);
+        else if (strlen(output->columns) + strlen(table->as.columns[c].name) + 3 < sizeof output->columns)
+            text_list_add(output->columns, sizeof output->columns, table->as.columns[c].name);
     bool sound = run_open(&run, &asked, problem_simulate(&asked, task->threads, &why), &why);
     run.cancel = task->cancel;
     if (sound && find_columns(&walker, run.sim)) {

@@ -30,7 +30,7 @@ static bool walk_right(Search *search)
         return false;
     if (walk->failed && !walk->departure.is && walk->compared < table->n_moments) {
         const size_t row = table->moments[walk->compared].first;
-        const double theirs = diagnose_theirs(table, &table->columns[0], row);
+        const double theirs = diagnose_theirs(table, &table->as.columns[0], row);
         if (isfinite(theirs))
             walk->departure = diagnose_departure(table, walk->compared, row, 0, theirs, NAN);
     }
@@ -78,28 +78,27 @@ static void name_departure(Search *search)
     const DiagnoseTable *table = search->table;
     Diagnosis *found = search->found;
     Departure *departure = &found->departure;
-    const DiagnoseColumn *column = &table->columns[departure->column];
+    const DiagnoseColumn *column = &table->as.columns[departure->column];
     const double bound = diagnose_rounding(table, column, departure->theirs) +
                          diagnose_noise(table, column->natural, departure->step);
+    double theirs_before = NAN, ours_before = NAN;
     size_t before = table->moments[departure->moment].first;
     while (before > 0 && table->things[before - 1] != departure->thing)
         before--;
     if (before-- > 0) {
-        departure->theirs_before = diagnose_theirs(table, column, before);
-        departure->ours_before =
-            search->values[before * (size_t)table->n_columns + (size_t)departure->column];
+        theirs_before = diagnose_theirs(table, column, before);
+        ours_before = search->values[before * (size_t)table->as.n_columns + (size_t)departure->column];
     }
     if (departure->ours != 0 && isfinite(departure->theirs))
         diagnose_name_factor(departure->theirs / departure->ours, 1e-12 + 2 * bound / fabs(departure->ours),
                              &search->right, departure->factors, sizeof departure->factors);
-    const double change = departure->ours - departure->ours_before;
+    const double change = departure->ours - ours_before;
     if (isfinite(change) && fabs(change) > 20 * bound)
-        diagnose_name_factor((departure->theirs - departure->theirs_before) / change,
-                             1e-9 + 4 * bound / fabs(change), &search->right, departure->change_factors,
-                             sizeof departure->change_factors);
-    for (int c = 0; c < table->n_columns; c++)
-        if (!table->columns[c].silent && !search->walk.departs[c] && !diagnose_is_still(search, c))
-            text_list_add(found->agreeing, sizeof found->agreeing, table->columns[c].name);
+        diagnose_name_factor((departure->theirs - theirs_before) / change, 1e-9 + 4 * bound / fabs(change),
+                             &search->right, departure->change_factors, sizeof departure->change_factors);
+    for (int c = 0; c < table->as.n_columns; c++)
+        if (!table->as.columns[c].silent && !search->walk.departs[c] && !diagnose_is_still(search, c))
+            text_list_add(found->agreeing, sizeof found->agreeing, table->as.columns[c].name);
     found->farthest = search->walk.farthest;
     departure->row = table->rows[departure->row] + 1;
     if (departure->stage > 0)
@@ -124,8 +123,7 @@ static void keep(Search *search, const Candidate *candidate, const Settings *wro
             return;
     explanation->digits = digits_of(search, walk->worst);
     explanation->beyond = walk->beyond;
-    for (size_t m = 0; m < walk->compared; m++)
-        explanation->rows += search->table->moments[m].count;
+    explanation->rows = diagnose_rows(search->table, walk->compared);
     explanation->grown = walk->failed || walk->moments < search->table->n_moments;
     if (found->n_explanations++ == 0 && search->walk.departure.is) {
         search->by_first = *wrong;
@@ -145,7 +143,8 @@ static bool is_beyond_chance(Search *search, const Candidate *candidate, const W
     enum { DIGITS = 11 }; /* some 1e5 codes are tried */
     const DiagnoseTable *table = search->table;
     const int digits = diagnose_digits_written(table); /* 0: no column has digits */
-    const size_t start = table->moments[0].step > 0 ? 0 : table->moments[0].count * (size_t)table->n_columns,
+    const size_t start =
+                     table->moments[0].step > 0 ? 0 : table->moments[0].count * (size_t)table->as.n_columns,
                  right = search->walk.entries, before = right > start ? right : start,
                  least = (size_t)(DIGITS / (digits > 0 ? digits : 1) + 1) +
                          (candidate->kind == DIAGNOSE_VALUE ? 1 : 0);
@@ -168,7 +167,7 @@ static bool is_alike(const DiagnoseTable *table, const Walk *walk)
 {
     const double share = 0.02;
     bool alike = true;
-    for (int c = 0; c < table->n_columns; c++)
+    for (int c = 0; c < table->as.n_columns; c++)
         alike = alike && (walk->most[c] == 0 || walk->off[c] <= share * walk->most[c]);
     return alike;
 }
@@ -220,7 +219,7 @@ static bool try_one(Search *search, const Candidate *candidate)
     }
     if (agrees && candidate->own_step)
         agrees = problem_time_step(&wrong, &dt, NULL) &&
-                 fabs(dt - table->dt) <= table->dt_bound + 1e-12 * table->dt;
+                 fabs(dt - table->as.dt) <= table->dt_bound + 1e-12 * table->as.dt;
     if (agrees)
         keep(search, candidate, &wrong, &walk);
     return true;
@@ -254,20 +253,21 @@ static bool try_value(Search *search, const Parameter *parameter, const TimeSett
     return try_one(search, &candidate);
 }
 
-/* One value that is another, or a round share of the scheme that is `right` at present: of schemes that
- * differ in a share alone one is enough. Where times of few digits leave the step open, it may be that of the
- * value. */
-static bool try_values(Search *search, bool shares)
+/* One value that is another, or a round share of a scheme: of schemes that differ in a share alone one is
+ * enough. Where times of few digits leave the step open, it may be that of the value. */
+static bool try_values(Search *search, const Settings *scheme, bool shares)
 {
     const DiagnoseTable *table = search->table;
     const Diagnosis *found = search->found;
-    const bool simpler = shares || found->n_explanations > 0, open = table->dt_bound > 1e-12 * table->dt;
+    const bool simpler = shares || found->n_explanations > 0, open = table->dt_bound > 1e-12 * table->as.dt;
     const double a_slip = 1e-8; /* less is round-off, which any value fits */
-    search->own_is_known = false;
+    bool sound = true;
     if (search->walk.departing < DIAGNOSE_ENTRIES_LEAST || search->walk.farthest < a_slip)
         return true;
+    search->right = *scheme;
+    search->own_is_known = false;
     for (int by_value = 0; by_value <= (open && !simpler); by_value++)
-        for (int i = 0; i < n_parameters; i++) {
+        for (int i = 0; i < n_parameters && sound; i++) {
             const Parameter *parameter = &parameters[i];
             bool tried =
                 parameter->type == PARAMETER_REAL && diagnose_is_tried(&search->right, parameter) &&
@@ -276,22 +276,25 @@ static bool try_values(Search *search, bool shares)
             for (int k = 0; k < found->n_explanations && tried; k++) /* which may have one */
                 tried = found->explanations[k].kind == DIAGNOSE_MISTAKE ||
                         strncmp(found->explanations[k].id, parameter->key, strlen(parameter->key)) != 0;
-            if (tried && !try_value(search, parameter,
-                                    by_value ? settings_time(search->task->settings) : NULL, simpler))
-                return false;
+            if (tried)
+                sound = try_value(search, parameter, by_value ? settings_time(search->task->settings) : NULL,
+                                  simpler);
         }
-    return true;
+    search->right = search->given;
+    return sound;
 }
 
-/* What may be wrong in the code of the scheme that is `right` at present. False: it was given up. */
-static bool try_listed(Search *search, DiagnoseListed what)
+/* What may be wrong in the code of a scheme. False: it was given up. */
+static bool try_listed(Search *search, const Settings *scheme, DiagnoseListed what)
 {
     Candidate *candidates = malloc(CANDIDATES_MAX * sizeof *candidates);
     bool sound = candidates || status_fail(search->status, "out of memory");
-    const int count = sound ? diagnose_candidates(&search->right, what, candidates) : 0;
+    const int count = sound ? diagnose_candidates(scheme, what, candidates) : 0;
+    search->right = *scheme;
     search->own_is_known = false;
     for (int i = 0; i < count && sound; i++)
         sound = candidates[i].kind == DIAGNOSE_SCHEME || try_one(search, &candidates[i]);
+    search->right = search->given;
     free(candidates);
     return sound;
 }
@@ -353,12 +356,9 @@ static bool try_nearer(Search *search, const DiagnoseScheme *schemes, int count,
     search->nearer = true;
     if (!wrong)
         sound = try_right(search, schemes, 0, count, &choices);
-    for (int s = 0; s < count && sound && wrong && schemes[s].choices <= choices; s++) {
-        search->right = schemes[s].settings;
-        sound = try_listed(search, MISTAKES);
-    }
+    for (int s = 0; s < count && sound && wrong && schemes[s].choices <= choices; s++)
+        sound = try_listed(search, &schemes[s].settings, MISTAKES);
     search->nearer = false;
-    search->right = search->given;
     search->grown = grown;
     table->noise = noise;
     table->noise_growth = growth;
@@ -371,19 +371,13 @@ static bool try_schemes(Search *search, const DiagnoseScheme *schemes, int count
 {
     int fewest = INT_MAX;
     bool sound = try_right(search, schemes, 1, count, &fewest);
-    for (int s = 0; s < (of_few_numbers(search) ? 1 : count) && sound && search->found->n_explanations == 0;
-         s++) {
-        search->right = schemes[s].settings;
-        sound = try_values(search, true);
-    }
-    search->right = search->given;
+    const int most = of_few_numbers(search) ? 1 : count;
+    for (int s = 0; s < most && sound && search->found->n_explanations == 0; s++)
+        sound = try_values(search, &schemes[s].settings, true);
     if (!sound || search->found->n_explanations == 0)
         return sound;
-    sound = try_nearer(search, schemes, count, fewest, true);
-    search->right = search->by_first;
-    sound = sound && try_listed(search, MISTAKES);
-    search->right = search->given;
-    return sound && try_listed(search, MISTAKES);
+    return try_nearer(search, schemes, count, fewest, true) &&
+           try_listed(search, &search->by_first, MISTAKES) && try_listed(search, &search->given, MISTAKES);
 }
 
 /* Half a kick at once is a kick of two halves without the second: such codes of bonds are one. */
@@ -396,11 +390,10 @@ static bool try_other_steppings(Search *search)
         !parameter_applies_to(&search->of_first, stepping))
         return true;
     for (int i = 0; sound && i < parameter_in(stepping, search->right.problem).n_choices; i++) {
-        search->right = search->of_first;
-        settings_put(&search->right, stepping, i);
-        sound = i == now || try_listed(search, MISTAKES);
+        Settings other = search->of_first;
+        settings_put(&other, stepping, i);
+        sound = i == now || try_listed(search, &other, MISTAKES);
     }
-    search->right = search->given;
     return sound;
 }
 
@@ -408,8 +401,8 @@ static bool try_other_steppings(Search *search)
  * value of any size, and two mistakes, by each algorithm. */
 static bool try_product(Search *search, const DiagnoseScheme *schemes, int count)
 {
-    const bool few = search->walk.departing < DIAGNOSE_ENTRIES_LEAST;
     enum { CHOICES_OF_PLANE = 3 };
+    const bool few = search->walk.departing < DIAGNOSE_ENTRIES_LEAST;
     const bool plane = diagnose_is_of_plane(&search->right);
     const int all = schemes[count - 1].choices,
               most = of_few_numbers(search)                                    ? 0
@@ -418,27 +411,22 @@ static bool try_product(Search *search, const DiagnoseScheme *schemes, int count
                                                                                : all;
     bool sound = true;
     for (int choices = 0; choices <= most && sound && search->found->n_explanations == 0; choices++) {
-        for (int s = 0; s < count && sound; s++) {
-            if (schemes[s].choices != choices)
-                continue;
-            search->right = schemes[s].settings;
-            sound = try_listed(search, choices <= 1 ? MISTAKES_AND_VALUES : MISTAKES);
-        }
-        search->right = search->given;
+        for (int s = 0; s < count && sound; s++)
+            if (schemes[s].choices == choices)
+                sound =
+                    try_listed(search, &schemes[s].settings, choices <= 1 ? MISTAKES_AND_VALUES : MISTAKES);
         /* after mistakes in other schemes, to whose numbers a value may fit */
-        sound = sound && (choices != (most < 1 ? most : 1) || try_values(search, false));
+        sound = sound && (choices != (most < 1 ? most : 1) || try_values(search, &search->given, false));
     }
     sound = sound && try_other_steppings(search);
     /* two mistakes, where no one thing explains the file */
     search->found->pairs_left = !few && search->found->n_explanations == 0 && !search->task->pairs && plane;
     for (int s = 0; s < count && sound && !few && search->found->n_explanations == 0; s++)
         if (s == 0 || (schemes[s].choices == 1 && settings_transfer(&schemes[s].settings)->algorithm !=
-                                                      settings_transfer(&search->given)->algorithm)) {
-            search->right = schemes[s].settings;
-            sound = (s == 0 || try_values(search, false)) &&
+                                                      settings_transfer(&search->given)->algorithm))
+            sound = (s == 0 || try_values(search, &schemes[s].settings, false)) &&
                     (search->found->n_explanations > 0 || search->found->pairs_left ||
-                     try_listed(search, PAIRS_OF_MISTAKES));
-        }
+                     try_listed(search, &schemes[s].settings, PAIRS_OF_MISTAKES));
     return sound;
 }
 
@@ -451,13 +439,12 @@ static bool try_all(Search *search, bool wrong)
     const int count = diagnose_schemes(&search->right, search->table, agrees ? 1 : ANY_CHOICES, &schemes);
     if (!schemes)
         return status_fail(search->status, "out of memory");
-    const bool sound = agrees
-                           ? try_nearer(search, schemes, count, 1, false) &&
-                                 try_nearer(search, schemes, count, 1, true) && try_listed(search, MISTAKES)
+    const bool sound = agrees ? try_nearer(search, schemes, count, 1, false) &&
+                                    try_nearer(search, schemes, count, 1, true) &&
+                                    try_listed(search, &search->given, MISTAKES)
                        : wrong ? try_product(search, schemes, count)
                                : try_schemes(search, schemes, count);
     free(schemes);
-    search->right = search->given;
     return sound;
 }
 
@@ -469,12 +456,9 @@ static void tell_walk(Search *search)
     Diagnosis *found = search->found;
     const DiagnoseTable *table = search->table;
     const Walk *walk = &search->walk;
-    found->compared = found->agreed = 0;
     found->agreeing[0] = '\0';
-    for (size_t m = 0; m < walk->compared; m++) {
-        found->compared += table->moments[m].count;
-        found->agreed += m < walk->agreed ? table->moments[m].count : 0;
-    }
+    found->compared = diagnose_rows(table, walk->compared);
+    found->agreed = diagnose_rows(table, walk->agreed);
     found->agreed_step = walk->agreed > 0 ? table->moments[walk->agreed - 1].step : -1;
     found->digits = digits_of(search, walk->worst);
     found->naive =
@@ -596,13 +580,8 @@ typedef struct Known {
 /* Puts it back, with the steps of the table's rows, which are kept outside it. */
 static void put_back(Search *search, const Known *known)
 {
-    const DiagnoseReading reading = {.dt = known->table.dt,
-                                     .time_factor = known->table.time_factor,
-                                     .shift = known->table.shift,
-                                     .last = INFINITY};
     *search->found = known->found;
-    *search->table = known->table;
-    diagnose_read_as(search->table, &reading);
+    diagnose_read_as(search->table, &known->table.as);
     *search->table = known->table;
 }
 
@@ -631,7 +610,7 @@ static bool judge_readings(Search *search, const DiagnoseReading *readings, int 
         free(search->grown);
         search->grown = NULL;
         search->right = *search->task->settings;
-        if (!diagnose_read_as(table, reading) || !diagnose_hold_step(&search->right, table->dt, &why))
+        if (!diagnose_read_as(table, reading) || !diagnose_hold_step(&search->right, table->as.dt, &why))
             continue;
         if (!judge(search, wrong))
             return false;
@@ -707,7 +686,7 @@ static bool judge_all(Search *search, DiagnoseReading *readings, int count)
         if (again || found->single)
             table->noise = noise;
         if (found->single)
-            table->noise_growth = single_growth(&search->right, table->dt);
+            table->noise_growth = single_growth(&search->right, table->as.dt);
         if (!judge_readings(search, readings, count))
             return false;
         if (found->verdict != DIAGNOSE_UNKNOWN)

@@ -103,12 +103,27 @@ static bool read_map(Names *names, const Overlay *file, const char *map, Status 
     return true;
 }
 
+/* What is mapped to a name of ours; NULL: nothing. */
+static const Mapped *mapped_to(const Names *names, const char *ours)
+{
+    for (int i = 0; i < names->n_mapped; i++)
+        if (strcmp(names->mapped[i].ours, ours) == 0)
+            return &names->mapped[i];
+    return NULL;
+}
+
 static bool is_mapped(const Names *names, int column)
 {
     for (int i = 0; i < names->n_mapped; i++)
         if (names->mapped[i].theirs == column)
             return true;
     return false;
+}
+
+static double factor_of(const Names *names, const char *ours)
+{
+    const Mapped *mapped = mapped_to(names, ours);
+    return mapped ? mapped->factor : 1;
 }
 
 static int named(const Overlay *file, const Names *names, const char *name)
@@ -120,16 +135,10 @@ static int named(const Overlay *file, const Names *names, const char *name)
 }
 
 /* The column of the file that is ours of that name; -1: none. `taken`: columns that are something else. */
-static int column_of(const Overlay *file, const Names *names, const char *ours, const bool *taken,
-                     double *factor)
+static int column_of(const Overlay *file, const Names *names, const char *ours, const bool *taken)
 {
-    *factor = 1;
-    for (int i = 0; i < names->n_mapped; i++)
-        if (strcmp(names->mapped[i].ours, ours) == 0) {
-            *factor = names->mapped[i].factor;
-            return names->mapped[i].theirs;
-        }
-    int found = named(file, names, ours);
+    const Mapped *mapped = mapped_to(names, ours);
+    int found = mapped ? mapped->theirs : named(file, names, ours);
     if (found >= 0)
         return found;
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
@@ -203,12 +212,11 @@ static void clean_names(DiagnoseTable *table)
     const Names none = {.n_mapped = 0};
     const bool taken[OVERLAY_COLUMNS_MAX] = {false};
     char head[OVERLAY_NAME_MAX];
-    double factor;
     for (int c = 0; c < table->file.n_columns; c++) {
         char *name = table->file.columns[c].name;
         memcpy(head, name, sizeof head);
         clean_name(name);
-        if (column_of(&table->file, &none, "time", taken, &factor) != c)
+        if (column_of(&table->file, &none, "time", taken) != c)
             continue;
         const char *unit = head + strlen(name);
         unit += strspn(unit, " ,_/([");
@@ -307,30 +315,28 @@ double diagnose_size_at_start(Simulation *sim, const Quantity *like, const doubl
 
 static void add_column(DiagnoseTable *table, int theirs, const Quantity *ours, double factor, bool own)
 {
-    if (table->n_columns == DIAGNOSE_COLUMNS_MAX)
+    if (table->as.n_columns == DIAGNOSE_COLUMNS_MAX)
         return;
-    DiagnoseColumn *column = &table->columns[table->n_columns];
+    DiagnoseColumn *column = &table->as.columns[table->as.n_columns];
     *column = (DiagnoseColumn){
-        .theirs = theirs, .factor = factor, .scale = 1, .group = table->n_columns, .own = own};
+        .theirs = theirs, .factor = factor, .scale = 1, .group = table->as.n_columns, .own = own};
     snprintf(column->name, sizeof column->name, "%s", ours->name);
     snprintf(column->unit, sizeof column->unit, "%s", ours->unit);
-    for (int i = 0; i < table->n_columns && column->group == table->n_columns; i++)
-        if (strcmp(table->columns[i].unit, column->unit) == 0)
+    for (int i = 0; i < table->as.n_columns && column->group == table->as.n_columns; i++)
+        if (strcmp(table->as.columns[i].unit, column->unit) == 0)
             column->group = i;
-    table->n_columns++;
+    table->as.n_columns++;
 }
 
 /* The set whose things the rows are of. A series has a column that is the series' alone, or no index. */
 static int set_of(const Overlay *file, const Names *names, const Simulation *sim, ColumnMap *columns)
 {
     const bool none[OVERLAY_COLUMNS_MAX] = {false};
-    double factor;
     for (int s = 0; s < sim->n_sets; s++)
-        if ((columns->thing = column_of(file, names, sim->sets[s].name, none, &factor)) >= 0)
+        if ((columns->thing = column_of(file, names, sim->sets[s].name, none)) >= 0)
             return s;
     /* nodes of a lattice, which are our particles */
-    if (!simulation_has(sim, HAS_MESH) &&
-        (columns->thing = column_of(file, names, "node", none, &factor)) >= 0)
+    if (!simulation_has(sim, HAS_MESH) && (columns->thing = column_of(file, names, "node", none)) >= 0)
         return 0;
     columns->i = named(file, names, "i");
     columns->j = named(file, names, "j");
@@ -344,12 +350,13 @@ static int set_of(const Overlay *file, const Names *names, const Simulation *sim
 static void add_unknown(DiagnoseTable *table, const Names *names, const bool *taken)
 {
     static const Quantity anything = {"?", "", "", ""};
-    for (int i = 0; i < table->file.n_columns && (table->n_columns == 0 || !*table->file.columns[i].name);
+    for (int i = 0; i < table->file.n_columns && (table->as.n_columns == 0 || !*table->file.columns[i].name);
          i++) {
         if (taken[i] || names->n_mapped > 0)
             continue;
         add_column(table, i, &anything, 1, false);
-        snprintf(table->columns[table->n_columns - 1].kinds, sizeof table->columns[0].kinds, "%s", any_kind);
+        snprintf(table->as.columns[table->as.n_columns - 1].kinds, sizeof table->as.columns[0].kinds, "%s",
+                 any_kind);
     }
 }
 
@@ -404,16 +411,19 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
 {
     const Overlay *file = &table->file;
     bool taken[OVERLAY_COLUMNS_MAX] = {false};
-    double factor, *row = calloc((size_t)sim->n_series + 1, sizeof *row);
+    double *row = calloc((size_t)sim->n_series + 1, sizeof *row);
     char known[300] = "";
+    *columns = (ColumnMap){.step = column_of(file, names, "step", taken),
+                           .time = column_of(file, names, "time", taken),
+                           .stage = column_of(file, names, "stage", taken),
+                           .stage_id = column_of(file, names, "stage_id", taken),
+                           .thing = -1,
+                           .i = -1,
+                           .j = -1,
+                           .time_factor = factor_of(names, "time")};
     if (!row)
         return status_fail(status, "out of memory");
     simulation_row(sim, row);
-    *columns = (ColumnMap){.thing = -1, .i = -1, .j = -1};
-    columns->step = column_of(file, names, "step", taken, &factor);
-    columns->time = column_of(file, names, "time", taken, &columns->time_factor);
-    columns->stage = column_of(file, names, "stage", taken, &factor);
-    columns->stage_id = column_of(file, names, "stage_id", taken, &factor);
     bool named_any = names->n_mapped > 0;
     for (int i = 0; i < file->n_columns; i++)
         named_any = named_any || *file->columns[i].name;
@@ -437,23 +447,23 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
             if (pass == 0)
                 text_list_add(known, sizeof known, ours->name);
             bool has = false;
-            for (int c = 0; c < table->n_columns; c++)
-                has = has || strcmp(table->columns[c].name, ours->name) == 0;
+            for (int c = 0; c < table->as.n_columns; c++)
+                has = has || strcmp(table->as.columns[c].name, ours->name) == 0;
             const int theirs = has         ? -1
                                : pass == 0 ? named(file, names, ours->name)
-                                           : column_of(file, names, ours->name, taken, &factor);
+                                           : column_of(file, names, ours->name, taken);
             if (theirs < 0 || taken[theirs])
                 continue;
             taken[theirs] = true;
             const bool own = pass == 0 || is_mapped(names, theirs);
-            add_column(table, theirs, ours, pass == 0 ? 1 : factor, own);
+            add_column(table, theirs, ours, pass == 0 ? 1 : factor_of(names, ours->name), own);
             if (!own)
-                find_kinds(file->columns[theirs].name, table->columns[table->n_columns - 1].kinds,
-                           sizeof table->columns[0].kinds);
+                find_kinds(file->columns[theirs].name, table->as.columns[table->as.n_columns - 1].kinds,
+                           sizeof table->as.columns[0].kinds);
         }
     add_unknown(table, names, taken);
-    for (int c = 0; c < table->n_columns; c++) {
-        DiagnoseColumn *column = &table->columns[c];
+    for (int c = 0; c < table->as.n_columns; c++) {
+        DiagnoseColumn *column = &table->as.columns[c];
         column->natural = diagnose_size_at_start(sim, &(Quantity){column->name, "", column->unit, ""}, row);
         column->terms = diagnose_terms(file, column->theirs);
     }
@@ -465,7 +475,7 @@ static bool find_columns(DiagnoseTable *table, const Names *names, Simulation *s
     if (columns->step < 0 && columns->time < 0)
         return status_refuse(status, "%s:1: no column step or time (--map 1=time names the first so)",
                              file->file);
-    return table->n_columns > 0 ||
+    return table->as.n_columns > 0 ||
            status_refuse(status, "%s:1: none of its columns is one of %s (--map theirs=ours)", file->file,
                          known);
 }
@@ -526,7 +536,7 @@ static void time_step_of_steps(DiagnoseTable *table, const ColumnMap *columns, d
     table->dt_bound = bound;
     if (!(own > 0) || fabs(own - dt) <= bound + DIAGNOSE_SAME_STEP * dt)
         return;
-    table->dt = own;
+    table->as.dt = own;
 }
 
 /* The time step of times alone: the scenario's where rows are a multiple of it apart, else that of the rows.
@@ -724,8 +734,8 @@ static bool find_lost(DiagnoseTable *table, size_t things, Status *status)
 {
     const size_t count = table->file.count;
     bool *follow = malloc(things * sizeof *follow);
-    for (int c = 0; c < table->n_columns && follow; c++) {
-        double *values = table->file.columns[table->columns[c].theirs].values;
+    for (int c = 0; c < table->as.n_columns && follow; c++) {
+        double *values = table->file.columns[table->as.columns[c].theirs].values;
         memset(follow, 0, things * sizeof *follow);
         for (size_t r = count; r-- > 0;) {
             double *value = &values[table->rows[r]];
@@ -753,8 +763,8 @@ static void say_what_is_odd(DiagnoseTable *table, const ColumnMap *columns, cons
         counted_from_one(&file->columns[columns->thing], sim->counts[table->set]))
         diagnose_note(table, "its %s are counted from 1: %s 1 is our %s 0", sim->sets[table->set].plural,
                       table->thing, table->thing);
-    for (int c = 0; c < table->n_columns; c++) {
-        const DiagnoseColumn *column = &table->columns[c];
+    for (int c = 0; c < table->as.n_columns; c++) {
+        const DiagnoseColumn *column = &table->as.columns[c];
         const char *theirs = file->columns[column->theirs].name;
         for (int i = column->theirs + 1; i < file->n_columns; i++)
             if (*theirs && strcasecmp(theirs, file->columns[i].name) == 0)
@@ -779,8 +789,8 @@ enum { ENTRIES_MAX = 8000000 };
 static bool is_empty(const DiagnoseTable *table, const DiagnoseMoment *moment)
 {
     for (size_t row = moment->first; row < moment->first + moment->count; row++)
-        for (int c = 0; c < table->n_columns; c++)
-            if (!isnan(diagnose_theirs(table, &table->columns[c], row)))
+        for (int c = 0; c < table->as.n_columns; c++)
+            if (!isnan(diagnose_theirs(table, &table->as.columns[c], row)))
                 return false;
     return true;
 }
@@ -789,12 +799,11 @@ static bool is_empty(const DiagnoseTable *table, const DiagnoseMoment *moment)
 static bool cut(DiagnoseTable *table, long last, Status *status)
 {
     const double steps = fmax(1e5, 10.0 * (double)last);
-    const size_t most = ENTRIES_MAX / (size_t)table->n_columns;
+    const size_t most = ENTRIES_MAX / (size_t)table->as.n_columns;
     size_t kept = table->n_moments;
     while (kept > 1 && is_empty(table, &table->moments[kept - 1]))
         kept--;
-    while (kept > 1 && (table->moments[kept - 1].first + table->moments[kept - 1].count > most ||
-                        (double)table->moments[kept - 1].step > steps))
+    while (kept > 1 && (diagnose_rows(table, kept) > most || (double)table->moments[kept - 1].step > steps))
         kept--;
     if ((double)table->moments[0].step > steps)
         return status_refuse(status, "%s: begins at step %ld, and the scenario has %ld", table->file.file,
@@ -884,13 +893,8 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
                       Status *status)
 {
     ColumnMap columns;
-    Names *names = calloc(1, sizeof *names);
-    if (!names)
-        return status_fail(status, "out of memory");
-    const bool sound =
-        read_map(names, &table->file, map, status) && find_columns(table, names, sim, &columns, status);
-    free(names);
-    if (!sound)
+    Names names = {.n_mapped = 0};
+    if (!read_map(&names, &table->file, map, status) || !find_columns(table, &names, sim, &columns, status))
         return false;
     snprintf(table->thing, sizeof table->thing, "%s", table->set < 0 ? "" : sim->sets[table->set].name);
     table->stages_by_id = columns.stage_id >= 0;
@@ -898,8 +902,9 @@ static bool read_rows(DiagnoseTable *table, const Settings *settings, const char
     table->particles = sim->counts[0];
     table->noise_growth = 1e-2;
     table->noise = noise_of(sim);
-    table->dt = table->scenario_dt = sim->dt;
-    table->time_factor = columns.time >= 0 ? columns.time_factor : 1;
+    table->as.dt = table->scenario_dt = sim->dt;
+    table->as.last = INFINITY;
+    table->as.time_factor = columns.time >= 0 ? columns.time_factor : 1;
     table->timed = columns.time >= 0;
     table->time_column = columns.time >= 0 ? columns.time : columns.step;
     table->step_column = columns.step;
@@ -948,17 +953,17 @@ bool diagnose_overlay(DiagnoseTable *table, Overlay *out)
     Overlay *file = &table->file;
     if (table->set >= 0 || table->of_stages)
         return false;
-    for (int c = 0; c < table->n_columns; c++) {
-        OverlayColumn *theirs = &file->columns[table->columns[c].theirs];
-        memcpy(theirs->name, table->columns[c].name, sizeof theirs->name);
+    for (int c = 0; c < table->as.n_columns; c++) {
+        OverlayColumn *theirs = &file->columns[table->as.columns[c].theirs];
+        memcpy(theirs->name, table->as.columns[c].name, sizeof theirs->name);
         for (size_t r = 0; r < file->count; r++)
-            theirs->values[r] *= isfinite(theirs->values[r]) ? table->columns[c].factor : NAN;
+            theirs->values[r] *= isfinite(theirs->values[r]) ? table->as.columns[c].factor : NAN;
         find_range(theirs, file->count);
     }
     OverlayColumn *time = &file->columns[table->time_column];
     snprintf(time->name, sizeof time->name, "time");
     for (size_t m = 0; m < table->n_moments; m++)
-        time->values[table->rows[table->moments[m].first]] = (double)table->moments[m].step * table->dt;
+        time->values[table->rows[table->moments[m].first]] = (double)table->moments[m].step * table->as.dt;
     find_range(time, file->count);
     *out = *file;
     *file = (Overlay){.y = -1};

@@ -43,10 +43,10 @@ static double newton(const Seek *seek, size_t moments, double change)
     double size[DIAGNOSE_COLUMNS_MAX] = {0}, product = 0, square = 0;
     for (size_t m = 0; m < moments; m++)
         for (size_t k = 0; k < table->moments[m].count; k++)
-            for (int c = 0; c < table->n_columns; c++) {
-                const DiagnoseColumn *column = &table->columns[c];
+            for (int c = 0; c < table->as.n_columns; c++) {
+                const DiagnoseColumn *column = &table->as.columns[c];
                 const size_t row = table->moments[m].first + k,
-                             at = row * (size_t)table->n_columns + (size_t)c;
+                             at = row * (size_t)table->as.n_columns + (size_t)c;
                 const double theirs = diagnose_theirs(table, column, row);
                 if (column->silent || !isfinite(theirs) || isnan(seek->values[0][at]) ||
                     isnan(seek->values[1][at]))
@@ -133,7 +133,7 @@ static bool seek_value(Seek *seek, size_t moments, double *value)
 bool diagnose_find_value(const DiagnoseTask *task, const DiagnoseTable *table, const Departure *departure,
                          const Parameter *parameter, const TimeSettings *own_step, double *value, long *tried)
 {
-    const size_t entries = table->file.count * (size_t)table->n_columns;
+    const size_t entries = table->file.count * (size_t)table->as.n_columns;
     Settings moved = *task->settings;
     const double now = settings_number(task->settings, parameter);
     Seek seek = {.task = task, .table = table, .parameter = parameter, .own_step = own_step, .tried = tried};

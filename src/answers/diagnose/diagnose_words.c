@@ -14,15 +14,16 @@ const char *const diagnose_words[] = {"right", "right but", "mistake", "one of",
 /* By how many steps the times of rows are off: a node's velocity is of the step that begins with its row. */
 static long shift_of(const DiagnoseTable *table)
 {
-    return table->shift == -1 && strncmp(table->columns[0].point, "node ", 5) == 0 ? 0 : table->shift;
+    return table->as.shift == -1 && strncmp(table->as.columns[0].point, "node ", 5) == 0 ? 0
+                                                                                         : table->as.shift;
 }
 
 void diagnose_conclude(Diagnosis *found, const DiagnoseTable *table)
 {
-    bool sign = false, unit = table->spacing > 0 && table->time_factor != 1;
-    for (int c = 0; c < table->n_columns; c++) {
-        sign = sign || table->columns[c].scale == -1;
-        unit = unit || table->columns[c].scale == 1e-3 || table->columns[c].scale == 1e3;
+    bool sign = false, unit = table->spacing > 0 && table->as.time_factor != 1;
+    for (int c = 0; c < table->as.n_columns; c++) {
+        sign = sign || table->as.columns[c].scale == -1;
+        unit = unit || table->as.columns[c].scale == 1e-3 || table->as.columns[c].scale == 1e3;
     }
     const struct {
         bool is;
@@ -51,8 +52,8 @@ void diagnose_conclude(Diagnosis *found, const DiagnoseTable *table)
         }
     found->word = found->verdict == DIAGNOSE_RIGHT       ? (*found->but ? WORD_RIGHT_BUT : WORD_RIGHT)
                   : found->verdict != DIAGNOSE_EXPLAINED ? WORD_UNKNOWN
-                  : found->n_explanations > 1 || table->otherwise > 0 ? WORD_ONE_OF
-                                                                      : WORD_MISTAKE;
+                  : found->n_explanations > 1 || table->as.otherwise > 0 ? WORD_ONE_OF
+                                                                         : WORD_MISTAKE;
 }
 
 /* "Right, USL", "Right, USF, but labelled a step early", "Mistake: pic", "One of: a, b". */
@@ -79,7 +80,7 @@ static void tell_departure(const Diagnosis *found, const DiagnoseTable *table, F
 {
     const Departure *departure = &found->departure;
     const double theirs = departure->theirs, ours = departure->ours;
-    const char *column = table->columns[departure->column].name;
+    const char *column = table->as.columns[departure->column].name;
     const bool at_start = departure->stage == 0 && departure->step == 0;
     visible_print(out, "They first depart at %s %ld%s", at_start ? "the start (step" : "step",
                   departure->step, at_start ? ")" : "");
@@ -132,12 +133,12 @@ static void tell_agreement(const Diagnosis *found, const DiagnoseTable *table, F
 static void tell_explanations(const Diagnosis *found, const DiagnoseTable *table, const char *scenario,
                               const char *file, FILE *out)
 {
-    if (table->otherwise > 0)
+    if (table->as.otherwise > 0)
         visible_print(
             out,
             "Or they are a right code's with dt %.10g, of which not every step is written: more digits "
             "tell (--template).\n",
-            table->otherwise);
+            table->as.otherwise);
     for (int i = 0; i < found->n_explanations && i < DIAGNOSE_NAMED_MAX; i++) {
         const Explanation *one = &found->explanations[i];
         const size_t length = strlen(one->words);
@@ -216,8 +217,8 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
         {1, ""}, {-1, ", with the other sign"}, {1e-3, ", in thousandths"}, {1e3, ", in thousands"}};
     char names[120] = "";
     out[0] = '\0';
-    for (int c = 0; c < table->n_columns; c++) {
-        const DiagnoseColumn *column = &table->columns[c];
+    for (int c = 0; c < table->as.n_columns; c++) {
+        const DiagnoseColumn *column = &table->as.columns[c];
         const char *theirs = table->file.columns[column->theirs].name, *field = strrchr(column->point, ' ');
         const char *scale = ", times the mass of the bar";
         if (strcasecmp(theirs, column->name) == 0 && column->scale == 1) {
@@ -240,11 +241,11 @@ void diagnosis_read_as(const DiagnoseTable *table, char *out, size_t size)
                     shift_of(table) > 0 ? "before" : "after");
     if (table->half)
         text_append(out, size, "times of half steps; ");
-    if (table->spacing > 0 && (table->time_factor == 1e-3 || table->time_factor == 1e-6))
-        text_append(out, size, "times in %s; ", table->time_factor == 1e-3 ? "ms" : "\xc2\xb5s");
+    if (table->spacing > 0 && (table->as.time_factor == 1e-3 || table->as.time_factor == 1e-6))
+        text_append(out, size, "times in %s; ", table->as.time_factor == 1e-3 ? "ms" : "\xc2\xb5s");
     const long every = table->n_moments > 1 ? table->moments[1].step - table->moments[0].step : 1;
-    text_append(out, size, "dt %.10g", table->dt);
-    if (fabs(table->dt - table->scenario_dt) > table->dt_bound + 1e-12 * table->dt)
+    text_append(out, size, "dt %.10g", table->as.dt);
+    if (fabs(table->as.dt - table->scenario_dt) > table->dt_bound + 1e-12 * table->as.dt)
         text_append(out, size, " (the scenario's is %.10g)", table->scenario_dt);
     if (every > 1 && !table->of_stages)
         text_append(out, size, ", a row every %ld steps", every);
@@ -312,7 +313,7 @@ void diagnosis_sum_up(const Diagnosis *found, const DiagnoseTable *table, char *
     if (departure->is)
         text_append(out, size, "It departs at step %ld%s%s in %s: yours %s, right %s", departure->step,
                     departure->stage > 0 ? ", stage " : "", departure->stage > 0 ? departure->stage_id : "",
-                    table->columns[departure->column].name,
+                    table->as.columns[departure->column].name,
                     isinf(departure->theirs) ? "no number" : text_rounded(departure->theirs, 9).text,
                     text_rounded(departure->ours, 9).text);
     if (*departure->factors)
