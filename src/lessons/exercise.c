@@ -157,18 +157,8 @@ static void tell_subject(const Telling *telling, char *out, size_t size)
             *at = ' ';
 }
 
-/* As many digits as distinguish it from the other. */
-static NumberText told(double number, double other)
-{
-    NumberText text;
-    int digits = EXPRESSION_DIGITS;
-    do
-        text = text_rounded(number, digits);
-    while (number != other && digits++ < 17 && strcmp(text.text, text_rounded(other, digits - 1).text) == 0);
-    return text;
-}
-
-/* A side's value: the word of a choice, a number with its per cent. */
+/* A side's value: the word of a choice; a number with its per cent, as many digits as distinguish it from the
+ * other. */
 static void tell_value(const Telling *telling, double value, double other, char *out, size_t size)
 {
     static const char *const flags[] = {"no", "yes", NULL};
@@ -176,28 +166,21 @@ static void tell_value(const Telling *telling, double value, double other, char 
     const Parameter *key =
         step->kind == STEP_KEY && telling->middle == telling->claim->first + 1 ? step->key : NULL;
     const char *const *choices = !key ? NULL : key->type == PARAMETER_FLAG ? flags : key->choices;
+    int digits = EXPRESSION_DIGITS;
+    while (!choices && value != other && digits < 17 &&
+           strcmp(text_rounded(value, digits).text, text_rounded(other, digits).text) == 0)
+        digits++;
     if (choices)
         text_append(out, size, "%s", choices[(int)value]);
     else
-        text_append(out, size, "%s%s", told(value, other).text, right_of(telling)->percent ? " %" : "");
+        text_append(out, size, "%s%s", text_rounded(value, digits).text,
+                    right_of(telling)->percent ? " %" : "");
 }
 
 static double side(const Telling *telling, bool right)
 {
     return expression_part(telling->goal, right ? telling->middle : telling->claim->first,
                            right ? telling->claim->end - 1 : telling->middle, telling->now, telling->was);
-}
-
-/* Whether the runs are there that the right side speaks of. */
-static bool knows_limit(const Telling *telling)
-{
-    bool known = true;
-    for (int i = telling->middle; i < telling->claim->end - 1; i++) {
-        const ExpressionStep *step = &telling->goal->steps[i];
-        if (step->kind == STEP_WORD || step->kind == STEP_KEY)
-            known &= (step->was ? telling->was : telling->now) != NULL;
-    }
-    return known;
 }
 
 /* "at most 60". */
@@ -208,9 +191,15 @@ static void tell_limit(const Telling *telling, char *out, size_t size)
     const int relation = (int)telling->goal->steps[telling->claim->end - 1].verb - (int)VERB_LESS;
     text_append(out, size, "%s", (is_size(telling) ? sizes : words)[relation]);
     const bool of_opening = telling->claim->end - telling->middle == 2 && right_of(telling)->was;
+    bool known = true; /* the runs are there that the right side speaks of */
+    for (int i = telling->middle; i < telling->claim->end - 1; i++) {
+        const ExpressionStep *step = &telling->goal->steps[i];
+        if (step->kind == STEP_WORD || step->kind == STEP_KEY)
+            known &= (step->was ? telling->was : telling->now) != NULL;
+    }
     if (!telling->was && of_opening) {
         text_append(out, size, "as the page opens it");
-    } else if (!knows_limit(telling)) {
+    } else if (!known) {
         const char *text = telling->goal->text + telling->claim->text;
         size_t skipped = strcspn(text, "<>=!");
         skipped += strspn(text + skipped, "<>=! ");

@@ -243,10 +243,8 @@ double expression_part(const Expression *expression, int first, int end, const E
 int expression_middle(const Expression *expression, const ExpressionClaim *claim)
 {
     int middle = 0;
-    for (int i = claim->first, top = 0; i < claim->end; i++) {
+    for (int i = claim->first, top = 0; i < claim->end - 1; i++) {
         const ExpressionStep *step = &expression->steps[i];
-        if (i + 1 == claim->end)
-            break;
         if (step->kind == STEP_VERB && step->verb >= VERB_LESS && step->verb <= VERB_UNEQUAL)
             return 0;
         top += 1 - taken_by(step);

@@ -22,17 +22,6 @@ const BuiltinLesson *lesson_builtin(const char *name)
     return NULL;
 }
 
-static bool unknown(const char *name, Status *status)
-{
-    Nearest nearest = nearest_begin(name);
-    for (const BuiltinLesson *builtin = builtin_lessons; builtin->name; builtin++)
-        nearest_offer(&nearest, builtin->name);
-    return status_refuse(status,
-                         nearest.word ? "%s: no such lesson or file (did you mean %s?)"
-                                      : "%s: no such lesson or file (see: matvib lesson --list)",
-                         name, nearest.word);
-}
-
 /* --- the scenario files that it opens ---------------------------------------------------------------- */
 
 /* Its keys and values go into the version; comments are none. */
@@ -88,8 +77,17 @@ bool lesson_load(const char *name, LessonJudge may_do, Lesson *lesson, Status *s
     *lesson = (Lesson){0};
     FILE *stream =
         builtin ? input_text(builtin->text, name, status) : input_open(name, LESSON_BYTES_MAX, status);
+    if (!stream && !builtin && errno == ENOENT) {
+        Nearest nearest = nearest_begin(name);
+        for (builtin = builtin_lessons; builtin->name; builtin++)
+            nearest_offer(&nearest, builtin->name);
+        return status_refuse(status,
+                             nearest.word ? "%s: no such lesson or file (did you mean %s?)"
+                                          : "%s: no such lesson or file (see: matvib lesson --list)",
+                             name, nearest.word);
+    }
     if (!stream)
-        return !builtin && errno == ENOENT && unknown(name, status);
+        return false;
     bool sound = lesson_read(stream, name, may_do, lesson, status);
     fclose(stream);
     if (sound && !builtin && !find_scenarios(lesson, name, status)) {

@@ -270,19 +270,6 @@ static bool read_choice(Reader *reader, const char *text)
     return keep(reader, &page->choices[page->n_choices++], text);
 }
 
-/* "TEXT if KEY is WORD, WORD": where " if" begins, with KEY; NULL: it is all text. */
-static const char *condition_of(const char *text, char key[KEY_MAX], int *words)
-{
-    for (const char *at = text; (at = strstr(at, " if ")); at++) {
-        *words = 0;
-        if (sscanf(at, " if %39s is %n", key, words) == 1 && *words > 0 && parameter_find(key)) {
-            *words += (int)(at - text);
-            return at;
-        }
-    }
-    return NULL;
-}
-
 /* A choice that is right for those only who have drawn some words. */
 static bool read_right_if(Reader *reader, const char *text, const char *key, size_t length, const char *words)
 {
@@ -304,16 +291,22 @@ static bool read_right_if(Reader *reader, const char *text, const char *key, siz
     return keep(reader, &page->if_words[page->n_choices - 1], words);
 }
 
+/* "TEXT", or "TEXT if KEY is WORD, WORD". */
 static bool read_right(Reader *reader, const char *text)
 {
     LessonPage *page = reader->page;
     char key[KEY_MAX];
-    int words;
-    const char *condition = condition_of(text, key, &words);
+    int words = 0;
+    const char *condition = strstr(text, " if ");
+    while (condition &&
+           !(sscanf(condition, " if %39s is %n", key, &words) == 1 && words > 0 && parameter_find(key))) {
+        words = 0;
+        condition = strstr(condition + 1, " if ");
+    }
     if (page->right >= 0 && !(condition && *page->if_key))
         return status_refuse(reader->status, "one choice only is right");
     if (condition)
-        return read_right_if(reader, text, key, (size_t)(condition - text), text + words);
+        return read_right_if(reader, text, key, (size_t)(condition - text), condition + words);
     page->right = page->n_choices;
     return read_choice(reader, text);
 }
@@ -360,34 +353,32 @@ static bool read_until(Reader *reader, const char *text)
         "command NAME | value KEY VALUE)");
 }
 
-typedef enum Wants { WANTS_NOTHING, WANTS_TEXT } Wants;
-
 static const struct {
     const char *word;
     bool (*read)(Reader *, const char *text);
     bool of_page;
-    Wants wants;
+    bool wants_text;
 } words[] = {
-    {"title", read_title, false, WANTS_TEXT},
-    {"about", read_about, false, WANTS_TEXT},
-    {"group", read_group, false, WANTS_TEXT},
-    {"objective", read_objective, false, WANTS_TEXT},
-    {"prerequisites", read_prerequisites, false, WANTS_TEXT},
-    {"minutes", read_minutes, false, WANTS_TEXT},
-    {"page", read_page, false, WANTS_TEXT},
-    {"do", read_do, true, WANTS_TEXT},
-    {"field", read_field, true, WANTS_TEXT},
-    {"ask", read_ask, true, WANTS_TEXT},
-    {"choice", read_choice, true, WANTS_TEXT},
-    {"right", read_right, true, WANTS_TEXT},
-    {"reveal", read_reveal, true, WANTS_NOTHING},
-    {"until", read_until, true, WANTS_TEXT},
-    {"variant", read_variant, true, WANTS_TEXT},
-    {"answer", read_answer, true, WANTS_TEXT},
-    {"words", read_words, true, WANTS_NOTHING},
-    {"goal", read_goal, true, WANTS_TEXT},
-    {"solve", read_solve, true, WANTS_TEXT},
-    {"points", read_points, true, WANTS_TEXT},
+    {"title", read_title, false, true},
+    {"about", read_about, false, true},
+    {"group", read_group, false, true},
+    {"objective", read_objective, false, true},
+    {"prerequisites", read_prerequisites, false, true},
+    {"minutes", read_minutes, false, true},
+    {"page", read_page, false, true},
+    {"do", read_do, true, true},
+    {"field", read_field, true, true},
+    {"ask", read_ask, true, true},
+    {"choice", read_choice, true, true},
+    {"right", read_right, true, true},
+    {"reveal", read_reveal, true, false},
+    {"until", read_until, true, true},
+    {"variant", read_variant, true, true},
+    {"answer", read_answer, true, true},
+    {"words", read_words, true, false},
+    {"goal", read_goal, true, true},
+    {"solve", read_solve, true, true},
+    {"points", read_points, true, true},
 };
 
 static bool read_word(Reader *reader, char *line)
@@ -402,7 +393,7 @@ static bool read_word(Reader *reader, char *line)
             return status_refuse(reader->status, "@%s belongs to a page (@page TITLE)", words[i].word);
         if (!words[i].of_page && reader->page && words[i].read != read_page)
             return status_refuse(reader->status, "@%s belongs before the first page", words[i].word);
-        if ((words[i].wants == WANTS_TEXT) != (*text != '\0'))
+        if (words[i].wants_text != (*text != '\0'))
             return status_refuse(reader->status, "@%s: %s", words[i].word,
                                  *text ? "takes nothing" : "something is missing after it");
         return words[i].read(reader, text);

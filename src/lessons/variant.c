@@ -336,16 +336,6 @@ bool lesson_knows_braces(const Lesson *lesson, const char *line, Status *status)
     return true;
 }
 
-/* Which choice is the right one for whom a word was drawn. */
-static void choose(const Lesson *lesson, LessonPage *page)
-{
-    const LessonVariant *variant =
-        *page->if_key ? lesson_variant(lesson, page->if_key, (int)(page - lesson->pages)) : NULL;
-    for (int i = 0; variant && i < page->n_choices; i++)
-        if (page->if_words[i] && variant_has_word(page->if_words[i], variant_word(variant->value)))
-            page->right = i;
-}
-
 /* Puts the values in the place of their keys. */
 static bool fill_in(const Lesson *lesson, int page, char **text, Status *status)
 {
@@ -375,30 +365,32 @@ static bool fill_in(const Lesson *lesson, int page, char **text, Status *status)
     return true;
 }
 
-static bool set_variant(Lesson *lesson, LessonVariant *variant, const char *student, Status *status)
-{
-    char **line = &lesson->pages[variant->page].first.actions[variant->action];
-    variant_draw(&variant->variant, lesson->title, student, variant->value);
-    free(*line);
-    if (asprintf(line, "set %s %s", variant->variant.key, variant->value) >= 0)
-        return true;
-    *line = NULL;
-    return status_fail(status, "not enough memory for a lesson");
-}
-
 bool lesson_draw(Lesson *lesson, const char *student, Status *status)
 {
     bool sound = true;
-    for (int i = 0; i < lesson->n_variants && sound; i++)
-        sound = set_variant(lesson, &lesson->variants[i], student, status);
+    for (int i = 0; i < lesson->n_variants; i++) {
+        LessonVariant *variant = &lesson->variants[i];
+        char **line = &lesson->pages[variant->page].first.actions[variant->action];
+        variant_draw(&variant->variant, lesson->title, student, variant->value);
+        free(*line);
+        if (asprintf(line, "set %s %s", variant->variant.key, variant->value) < 0) {
+            *line = NULL;
+            return status_fail(status, "not enough memory for a lesson");
+        }
+    }
     for (int i = 0; i < lesson->n_pages && sound; i++) {
         LessonPage *page = &lesson->pages[i];
         sound = fill_in(lesson, i, &page->first.text, status) &&
                 fill_in(lesson, i, &page->revealed.text, status) &&
                 fill_in(lesson, i, &page->question, status);
-        choose(lesson, page);
-        for (int k = 0; k < page->n_choices && sound; k++)
+        const LessonVariant *variant = *page->if_key ? lesson_variant(lesson, page->if_key, i) : NULL;
+        for (int k = 0; k < page->n_choices && sound; k++) {
+            /* the right one for whom a word was drawn */
+            if (variant && page->if_words[k] &&
+                variant_has_word(page->if_words[k], variant_word(variant->value)))
+                page->right = k;
             sound = fill_in(lesson, i, &page->choices[k], status);
+        }
     }
     return sound;
 }
