@@ -26,24 +26,6 @@ static const struct {
 #include "terminal/fallback.inc"
 };
 
-/* Opens curses on one of them; NULL: curses cannot take a description from the program. */
-static SCREEN *fallback_open(int which, FILE *output, FILE *input)
-{
-    const char *given = getenv("TERMINFO");
-    char *before = given ? strdup(given) : NULL;
-    if ((given && !before) || setenv("TERMINFO", terminals[which].description, 1) != 0) {
-        free(before);
-        return NULL;
-    }
-    SCREEN *screen = newterm(terminals[which].name, output, input);
-    if (before)
-        setenv("TERMINFO", before, 1);
-    else
-        unsetenv("TERMINFO");
-    free(before);
-    return screen;
-}
-
 /* --- the terminal's description -------------------------------------------------------------------- */
 
 bool grid_choose_glyphs(const char *name, const char *codeset, const char *term, Glyphs *glyphs)
@@ -218,18 +200,20 @@ static SCREEN *open_curses(const char *term, FILE *output, FILE *input, const ch
     }
     if (screen)
         return screen;
-    const bool many = strstr(stand_ins_of(term)[0], "256") != NULL;
+    /* curses may not be able to take a description from the program */
+    const int which = strstr(stand_ins_of(term)[0], "256") ? FALLBACK_MANY_COLOURS : FALLBACK_FEW_COLOURS;
+    const char *given = getenv("TERMINFO");
+    char *before = given ? strdup(given) : NULL;
     *stand_in = "most terminals of today";
-    return fallback_open(many ? FALLBACK_MANY_COLOURS : FALLBACK_FEW_COLOURS, output, input);
-}
-
-static int count_colours(void)
-{
-    const char *no_color = getenv("NO_COLOR");
-    const int colours = tigetnum("colors");
-    if ((no_color && *no_color) || colours < 8 || start_color() == ERR || use_default_colors() == ERR)
-        return 0;
-    return colours >= 256 ? 256 : 8;
+    if ((!given || before) && setenv("TERMINFO", terminals[which].description, 1) == 0) {
+        screen = newterm(terminals[which].name, output, input);
+        if (before)
+            setenv("TERMINFO", before, 1);
+        else
+            unsetenv("TERMINFO");
+    }
+    free(before);
+    return screen;
 }
 
 static FILE *curses_output, *curses_input; /* keys are read past curses */
@@ -274,7 +258,10 @@ bool grid_open(Grid *grid, const char *term, bool mouse, const char **stand_in, 
     else {
         /* What pictures need, once curses knows the terminal. */
         orig_colors = NULL; /* the user's palette is not to be reset */
-        grid->colours = count_colours();
+        const char *no_color = getenv("NO_COLOR");
+        const int colours = tigetnum("colors");
+        if (!(no_color && *no_color) && colours >= 8 && start_color() != ERR && use_default_colors() != ERR)
+            grid->colours = colours >= 256 ? 256 : 8;
         grid->mouse = grid->mouse && capability("kmous")[0] != '\0';
         typeahead(-1); /* whether a key waits is asked by who draws */
         compose_farewell(grid);
@@ -343,18 +330,12 @@ void grid_synchronise(Grid *grid)
 
 /* The last word before the terminal: what the C library takes for wider, narrower or no character at all
  * than the canvas does would move all that stands behind it. */
-static wchar_t shown_glyph(const Grid *grid, uint32_t glyph)
-{
-    if (glyph < 0x7f)
-        return glyph < ' ' ? L' ' : (wchar_t)glyph;
-    const bool fits = grid->utf8 && wcwidth((wchar_t)glyph) == glyph_columns(glyph);
-    return fits ? (wchar_t)glyph : L'?';
-}
-
 static void put_cell(const Grid *grid, int x, int y, Cell cell)
 {
     const Look look = theme_look(grid->colours, grid->light, cell.style, cell.back);
-    const wchar_t text[] = {shown_glyph(grid, cell.glyph), L'\0'};
+    const bool fits =
+        cell.glyph < 0x7f || (grid->utf8 && wcwidth((wchar_t)cell.glyph) == glyph_columns(cell.glyph));
+    const wchar_t text[] = {cell.glyph < ' ' ? L' ' : fits ? (wchar_t)cell.glyph : L'?', L'\0'};
     const bool coloured = look.foreground != LOOK_DEFAULT || look.background != LOOK_DEFAULT;
     const int pair = coloured ? alloc_pair(look.foreground, look.background) : 0;
     cchar_t character;
@@ -367,11 +348,6 @@ static void put_cell(const Grid *grid, int x, int y, Cell cell)
                               (look.attributes & LOOK_REVERSE ? A_REVERSE : 0)),
                      (short)(pair > 0 ? pair : 0), NULL) == OK)
             mvadd_wch(y, x + i, &character);
-}
-
-static bool same_cell(const Cell *a, const Cell *b)
-{
-    return a->glyph == b->glyph && a->style == b->style && a->back == b->back;
 }
 
 void grid_show(Grid *grid, const Canvas *canvas)
@@ -388,8 +364,9 @@ void grid_show(Grid *grid, const Canvas *canvas)
     for (int y = 0; y < canvas->height && y < LINES; y++)
         for (int x = 0; x < canvas->width && x < COLS; x++) {
             const size_t at = (size_t)y * (size_t)canvas->width + (size_t)x;
-            const Cell *cell = &canvas->cells[at];
-            if (cell->glyph != CELL_FOLLOWS && (fresh || !same_cell(cell, &shown->cells[at])))
+            const Cell *cell = &canvas->cells[at], *old = &shown->cells[at];
+            if (cell->glyph != CELL_FOLLOWS &&
+                (fresh || cell->glyph != old->glyph || cell->style != old->style || cell->back != old->back))
                 put_cell(grid, x, y, *cell);
         }
     errno = 0; /* curs_set() writes too */

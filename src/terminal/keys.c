@@ -196,49 +196,6 @@ static bool take_ss3(KeyReader *reader, int byte, Key *key)
                   : give_row(reader, key, 0, (char)byte, 0);
 }
 
-/* Three bytes, each with 32 added; places count from 1. */
-static bool take_mouse(KeyReader *reader, int byte, Key *key)
-{
-    reader->text[reader->length++] = (char)byte;
-    if (reader->length < 3)
-        return false;
-    reader->state = KEYS_GROUND;
-    const unsigned char *report = (const unsigned char *)reader->text;
-    return !reader->pasting && give_mouse(reader, key, report[0] - 32, false, report[1] - 33, report[2] - 33);
-}
-
-static bool take_string(KeyReader *reader, int byte)
-{
-    if (byte == 0x1b)
-        begin(reader, KEYS_STRING_END);
-    else if (byte == 0x07 || ++reader->length > STRING_MAX)
-        begin(reader, KEYS_GROUND);
-    return false;
-}
-
-static bool take_continuation(KeyReader *reader, int byte, Key *key)
-{
-    reader->text[reader->length++] = (char)byte;
-    if (--reader->wanted > 0)
-        return false;
-    reader->text[reader->length] = '\0';
-    reader->state = KEYS_GROUND;
-    return give(reader, key, 0, reader->text);
-}
-
-static bool take_control(const KeyReader *reader, int byte, Key *key)
-{
-    if (byte == '\r' || byte == '\n')
-        return give(reader, key, 0, "Enter");
-    if (reader->pasting)
-        return byte == '\t' && give(reader, key, 0, "Space");
-    if (byte == '\t')
-        return give(reader, key, 0, "Tab");
-    if (byte == 0x08 || byte == 0x7f)
-        return give(reader, key, 0, "Backspace");
-    return give(reader, key, 0, (char[]){'^', (char)(byte + '@'), '\0'});
-}
-
 static bool take_ground(KeyReader *reader, int byte, Key *key)
 {
     begin(reader, KEYS_GROUND);
@@ -246,8 +203,14 @@ static bool take_ground(KeyReader *reader, int byte, Key *key)
     reader->began = reader->fed;
     if (byte == 0x1b)
         return begin(reader, KEYS_ESCAPE);
-    if (byte < ' ' || byte == 0x7f)
-        return take_control(reader, byte, key);
+    if (byte == '\r' || byte == '\n')
+        return give(reader, key, 0, "Enter");
+    if (byte == '\t')
+        return give(reader, key, 0, reader->pasting ? "Space" : "Tab");
+    if (byte < ' ' || byte == 0x7f) {
+        const char control[] = {'^', (char)(byte + '@'), '\0'};
+        return !reader->pasting && give(reader, key, 0, byte == 0x08 || byte == 0x7f ? "Backspace" : control);
+    }
     if (byte >= 0x80) {
         /* Bytes of UTF-8, in any locale; what is none is dropped. */
         reader->wanted = byte >= 0xc2 && byte < 0xe0   ? 1
@@ -293,6 +256,7 @@ static bool take_escape(KeyReader *reader, int byte, Key *key)
 
 static bool take_byte(KeyReader *reader, int byte, Key *key)
 {
+    const unsigned char *report = (const unsigned char *)reader->text;
     const bool in_sequence =
         reader->state == KEYS_CSI || reader->state == KEYS_SS3 || reader->state == KEYS_CONSOLE;
     if (byte == '\3') {
@@ -318,14 +282,28 @@ static bool take_byte(KeyReader *reader, int byte, Key *key)
     case KEYS_CONSOLE:
         begin(reader, KEYS_GROUND);
         return byte >= 'A' && byte <= 'E' && !reader->pasting && give_row(reader, key, 0, 0, 11 + byte - 'A');
-    case KEYS_MOUSE:
-        return take_mouse(reader, byte, key);
+    case KEYS_MOUSE: /* three bytes, each with 32 added; places count from 1 */
+        reader->text[reader->length++] = (char)byte;
+        if (reader->length < 3)
+            return false;
+        reader->state = KEYS_GROUND;
+        return !reader->pasting &&
+               give_mouse(reader, key, report[0] - 32, false, report[1] - 33, report[2] - 33);
     case KEYS_STRING:
-        return take_string(reader, byte);
+        if (byte == 0x1b)
+            return begin(reader, KEYS_STRING_END);
+        return (byte == 0x07 || ++reader->length > STRING_MAX) && begin(reader, KEYS_GROUND);
     case KEYS_STRING_END:
         return byte == '\\' ? begin(reader, KEYS_GROUND) : take_escape(reader, byte, key);
     case KEYS_CHARACTER:
-        return (byte & 0xc0) == 0x80 ? take_continuation(reader, byte, key) : take_ground(reader, byte, key);
+        if ((byte & 0xc0) != 0x80)
+            return take_ground(reader, byte, key);
+        reader->text[reader->length++] = (char)byte;
+        if (--reader->wanted > 0)
+            return false;
+        reader->text[reader->length] = '\0';
+        reader->state = KEYS_GROUND;
+        return give(reader, key, 0, reader->text);
     case KEYS_GROUND:
     default:
         return take_ground(reader, byte, key);
@@ -388,14 +366,6 @@ bool keys_silence(KeyReader *reader, double now, Key *key)
 
 /* --- names ----------------------------------------------------------------------------------------- */
 
-static bool is_named(const char *name)
-{
-    for (int row = 0; row < N_ROWS; row++)
-        if (strcmp(name, rows[row].name) == 0)
-            return true;
-    return false;
-}
-
 const char *keys_pasted(const char *name)
 {
     return name[0] == 'P' && name[1] == '-' && name[2] ? name + 2 : NULL;
@@ -428,5 +398,8 @@ bool keys_known(const char *name)
     for (const char *modifier = order; *modifier; modifier++)
         if (base[0] == *modifier && base[1] == '-')
             base += 2;
-    return is_named(base) || (base == name + 2 && name[0] == 'M' && base[0] > ' ' && !base[1]);
+    for (int row = 0; row < N_ROWS; row++)
+        if (strcmp(base, rows[row].name) == 0)
+            return true;
+    return base == name + 2 && name[0] == 'M' && base[0] > ' ' && !base[1];
 }

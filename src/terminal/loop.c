@@ -10,6 +10,7 @@
 #include "scenario/settings.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -160,7 +161,6 @@ static void suspend(void *context)
 
 static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *status)
 {
-    TerminalOptions how = {.glyphs = options->glyphs, .theme = options->theme, .mouse = !options->no_mouse};
     Host host = {now, worked, go_on, redraw, suspend, loop, key_waits, NULL};
     /* the laboratory first: what is wrong with a scenario is said where the shell can show it */
     bool open = laboratory_open(&loop->lab, options, &host, status);
@@ -169,7 +169,7 @@ static bool open_loop(Loop *loop, const LaboratoryOptions *options, Status *stat
     loop->told = false;
     if (!open)
         return false;
-    loop->terminal = terminal_open(&how, status);
+    loop->terminal = terminal_open(options, status);
     if (!loop->terminal) {
         laboratory_close(&loop->lab);
         return false;
@@ -195,16 +195,10 @@ static double replay_due(const Loop *loop)
     return loop->fast ? 0 : loop->replayed_at + replay_next(&loop->replay)->seconds;
 }
 
-/* Begun and ended, for the first key takes a message away. */
-static void say_replay(Loop *loop, const char *how, const char *what)
-{
-    laboratory_say(&loop->lab, MESSAGE_INFO, "%s: %s", how, what);
-}
-
 static void end_replay(Loop *loop, const char *how)
 {
     replay_end(&loop->replay, &loop->lab);
-    say_replay(loop, how, "the laboratory is yours");
+    laboratory_say(&loop->lab, MESSAGE_INFO, "%s: the laboratory is yours", how);
     loop->stale = true;
 }
 
@@ -248,13 +242,6 @@ static bool answer_keys(Loop *loop)
     return false;
 }
 
-/* Whether the run had its share of the time since the last picture. */
-static bool has_rested(const Loop *loop)
-{
-    double rest = PICTURE_SHARE * loop->draw_time;
-    return now(NULL) - loop->drawn_at >= (rest < REST_SECONDS ? rest : REST_SECONDS);
-}
-
 static void one_round(Loop *loop)
 {
     Laboratory *lab = &loop->lab;
@@ -281,7 +268,9 @@ static void one_round(Loop *loop)
         if (lab->player.frames_in_time == 0)
             loop->due = now(NULL);
     }
-    loop->stale |= loop->moved && (!laboratory_active(lab) || has_rested(loop));
+    /* the run has its share of the time since the last picture */
+    const double rest = fmin(PICTURE_SHARE * loop->draw_time, REST_SECONDS);
+    loop->stale |= loop->moved && (!laboratory_active(lab) || now(NULL) - loop->drawn_at >= rest);
     if (loop->stale && !terminal_is_behind(loop->terminal))
         draw(loop);
     if (loop->unannounced && !terminal_is_behind(loop->terminal)) {
@@ -295,18 +284,16 @@ static void one_round(Loop *loop)
         }
     }
     if (is_replaying(loop)) {
-        double left = replay_due(loop) - now(NULL), frame_left = loop->due - now(NULL);
-        if (laboratory_active(lab) && left > frame_left)
-            left = frame_left;
-        terminal_wait(loop->terminal, left > 0 ? left : 0);
+        const double frame = laboratory_active(lab) ? loop->due : INFINITY;
+        terminal_wait(loop->terminal, fmax(0, fmin(replay_due(loop), frame) - now(NULL)));
     } else if (loop->more_keys) {
         terminal_wait(loop->terminal, 0);
     } else if (!laboratory_active(lab)) {
         terminal_wait(loop->terminal, laboratory_message_left(lab));
         loop->due = now(NULL);
     } else {
-        double left = lab->player.playback.state == STATE_COMPUTING ? 0 : loop->due - now(NULL);
-        terminal_wait(loop->terminal, left > 0 ? left : 0);
+        const bool computing = lab->player.playback.state == STATE_COMPUTING;
+        terminal_wait(loop->terminal, computing ? 0 : fmax(0, loop->due - now(NULL)));
     }
 }
 
@@ -331,7 +318,7 @@ int loop_run(const LaboratoryOptions *options, const Session *replay, Session *r
     loop->fast = options->fast;
     loop->replayed_at = now(NULL);
     if (is_replaying(loop))
-        say_replay(loop, "replaying a session", "any key takes over");
+        laboratory_say(&loop->lab, MESSAGE_INFO, "replaying a session: any key takes over");
     else if (replay)
         end_replay(loop, "the session has no keys");
     loop->stale = true;

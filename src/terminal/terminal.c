@@ -174,18 +174,6 @@ static void look_for_interrupt(int number)
     errno = errno_before;
 }
 
-/* What has come, KEYS_ROOM bytes at most. */
-static ssize_t read_keys(const Terminal *terminal, char *bytes)
-{
-    const size_t count = unread.count;
-    if (count == 0)
-        return read(terminal->input, bytes, KEYS_ROOM);
-    memcpy(bytes, unread.bytes, count);
-    unread.count = 0;
-    unread.interrupted = false;
-    return (ssize_t)count;
-}
-
 static void on_signal(int number)
 {
     if (number == SIGWINCH)
@@ -299,16 +287,7 @@ static void leave(void)
     fputs("matvib: a library ended the program, most likely for want of memory\n", stderr);
 }
 
-static bool prepare_leaving(Status *status)
-{
-    static bool prepared;
-    if (!prepared && atexit(leave) != 0)
-        return status_fail(status, "out of memory");
-    prepared = true;
-    return true;
-}
-
-static bool open_picture(Terminal *terminal, const TerminalOptions *options, Status *status)
+static bool open_picture(Terminal *terminal, const LaboratoryOptions *options, Status *status)
 {
     const char *term = getenv("TERM"), *codeset = nl_langinfo(CODESET);
     Grid *grid = &terminal->grid;
@@ -326,7 +305,7 @@ static bool open_picture(Terminal *terminal, const TerminalOptions *options, Sta
     grid->utf8 = strcmp(codeset, "UTF-8") == 0;
     terminal->input = open_again(STDIN_FILENO, O_RDONLY);
     terminal->output = open_again(STDOUT_FILENO, O_WRONLY);
-    return grid_open(grid, term, options->mouse, &terminal->stand_in, status);
+    return grid_open(grid, term, !options->no_mouse, &terminal->stand_in, status);
 }
 
 static void free_terminal(Terminal *terminal)
@@ -337,9 +316,11 @@ static void free_terminal(Terminal *terminal)
     in_use = false;
 }
 
-Terminal *terminal_open(const TerminalOptions *options, Status *status)
+Terminal *terminal_open(const LaboratoryOptions *options, Status *status)
 {
-    Terminal *terminal = prepare_leaving(status) ? calloc(1, sizeof *terminal) : NULL;
+    static bool prepared;
+    prepared = prepared || atexit(leave) == 0;
+    Terminal *terminal = prepared ? calloc(1, sizeof *terminal) : NULL;
     if (!terminal) {
         status_fail(status, "out of memory");
         return NULL;
@@ -449,14 +430,10 @@ void terminal_wait(Terminal *terminal, double seconds)
         wait_look(look_for_interrupt);
         return;
     }
-    const double due = keys_due(&terminal->keys);
-    if (due < INFINITY) {
-        const double left = fmax(due - clock_seconds(), 0);
-        seconds = seconds < 0 ? left : fmin(seconds, left);
-    }
-    const double report_left = report_due(terminal) - clock_seconds();
-    if (report_left > 0)
-        seconds = seconds < 0 ? report_left : fmin(seconds, report_left);
+    const double now = clock_seconds(), report = report_due(terminal);
+    const double left = fmin(keys_due(&terminal->keys), report > now ? report : INFINITY) - now;
+    if (left < INFINITY)
+        seconds = fmax(0, seconds < 0 ? left : fmin(seconds, left));
     if (unread.count > 0)
         seconds = 0;
     struct timespec time = {.tv_sec = (time_t)seconds};
@@ -489,10 +466,13 @@ bool terminal_key(Terminal *terminal, Key *key)
     wait_look(NULL);
     while (!(any = keys_next(keys, key))) {
         char bytes[KEYS_ROOM];
-        const ssize_t got = read_keys(terminal, bytes);
+        const ssize_t got =
+            unread.count > 0 ? (ssize_t)unread.count : read(terminal->input, bytes, sizeof bytes);
         if (got <= 0)
             break;
-        keys_feed(keys, bytes, (size_t)got, clock_seconds());
+        keys_feed(keys, unread.count > 0 ? unread.bytes : bytes, (size_t)got, clock_seconds());
+        unread.count = 0;
+        unread.interrupted = false;
     }
     count_reports(terminal);
     wait_look(look_for_interrupt);

@@ -15,17 +15,11 @@
 #include "picture/canvas.h"
 #include "terminal/keys.h"
 
-typedef struct TerminalOptions {
-    const char *glyphs; /* "auto" (NULL), "braille", "block", "ascii" */
-    const char *theme;  /* "auto" (NULL), "light", "dark" */
-    bool mouse;
-} TerminalOptions;
-
 typedef struct Terminal Terminal;
 
 /* Takes over standard input and output. NULL: they are not a terminal, or one that
  * cannot place its cursor. */
-Terminal *terminal_open(const TerminalOptions *, Status *);
+Terminal *terminal_open(const LaboratoryOptions *, Status *);
 void terminal_close(Terminal *); /* as it was before; NULL is allowed */
 
 void terminal_size(const Terminal *, int *width, int *height);
