@@ -7,6 +7,7 @@
 #ifndef CLI_CLI_H
 #define CLI_CLI_H
 
+#include "base/cancel.h"
 #include "base/status.h"
 #include "cli/options.h"
 #include "scenario/assignment.h"
@@ -82,6 +83,12 @@ int progress_result(bool done, const Status *);
 
 /* The number given with --threads, else as many as this process may use. */
 int progress_threads(long wanted);
+
+/* Does each of 0 .. count - 1 on these threads, under one bar: one after the other as a thread comes free, so
+ * that none waits behind a long one while a thread has nothing to do. Of fewer than threads, each has
+ * several. False: there are no threads, or a signal came. */
+typedef void CliWork(void *owner, int index, int threads, Cancel);
+bool cli_each(int count, long threads, bool quiet, CliWork *, void *owner, Status *);
 
 /* What follows from settings: derived numbers and advice as lines of text, for `show` and `params`. */
 

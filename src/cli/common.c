@@ -10,9 +10,11 @@
 #include "base/output.h"
 #include "base/cancel.h"
 #include "base/text.h"
+#include "methods/pool.h"
 #include "problems/problem.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <unistd.h>
 #include <stdlib.h>
@@ -68,6 +70,66 @@ int progress_result(bool done, const Status *status)
 int progress_threads(long wanted)
 {
     return wanted > 0 ? (int)wanted : threads_default(false);
+}
+
+/* What cli_each() is doing. */
+typedef struct Queue {
+    int count, threads; /* of each */
+    CliWork *work;
+    void *owner;
+    pthread_mutex_t lock; /* of what follows */
+    int next;             /* that nobody has taken */
+    double share;         /* sum of what is done of each */
+    Progress progress;
+} Queue;
+
+typedef struct Turn {
+    Queue *queue;
+    double share;
+} Turn;
+
+static bool show_share(double share, void *context)
+{
+    Turn *turn = context;
+    Queue *queue = turn->queue;
+    pthread_mutex_lock(&queue->lock);
+    queue->share += share - turn->share;
+    turn->share = share;
+    const bool goes_on = progress_show(queue->share / queue->count, &queue->progress);
+    pthread_mutex_unlock(&queue->lock);
+    return goes_on;
+}
+
+static void take_turns(void *context, int chunk, int worker)
+{
+    (void)chunk, (void)worker;
+    Queue *queue = context;
+    for (;;) {
+        pthread_mutex_lock(&queue->lock);
+        const int next = queue->next++;
+        pthread_mutex_unlock(&queue->lock);
+        Turn turn = {queue, 0};
+        if (next >= queue->count || !show_share(0, &turn))
+            return;
+        queue->work(queue->owner, next, queue->threads, (Cancel){show_share, &turn});
+        show_share(1, &turn);
+    }
+}
+
+bool cli_each(int count, long threads, bool quiet, CliWork *work, void *owner, Status *status)
+{
+    const int all = progress_threads(threads), at_once = all < count ? all : count;
+    Queue queue = {.count = count, .threads = all / at_once, .work = work, .owner = owner};
+    Pool *pool = pool_create(at_once, status);
+    if (!pool)
+        return false;
+    pthread_mutex_init(&queue.lock, NULL);
+    progress_begin(&queue.progress, quiet);
+    pool_run(pool, take_turns, &queue, at_once);
+    progress_end(&queue.progress);
+    pthread_mutex_destroy(&queue.lock);
+    pool_destroy(pool);
+    return !progress_signal() || status_fail(status, "interrupted");
 }
 
 bool cli_derived_text(const Settings *settings, char *out, size_t size, Status *status)

@@ -9,11 +9,9 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "export/export.h"
-#include "methods/pool.h"
 #include "scenario/settings.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,59 +28,21 @@ typedef struct Files {
     const Settings *settings;
     File *files;
     int count;
-    int at_once, threads; /* files side by side, and threads of each */
-    double seconds;       /* of each; 0: no bound */
-    pthread_mutex_t lock; /* of what follows */
-    int next, done;
-    Progress progress;
+    double seconds; /* of each; 0: no bound */
 } Files;
 
-/* --- the work, on any thread ------------------------------------------------------------------------ */
-
-static bool show_share(double share, void *context)
+/* On any thread. */
+static void judge(void *owner, int index, int threads, Cancel cancel)
 {
-    Files *all = context;
-    pthread_mutex_lock(&all->lock);
-    const bool goes_on =
-        progress_show(all->count > 1 ? (double)all->done / all->count : share, &all->progress);
-    pthread_mutex_unlock(&all->lock);
-    return goes_on;
-}
-
-static void work(void *context, int chunk, int worker)
-{
-    (void)chunk, (void)worker;
-    Files *all = context;
+    const Files *all = owner;
     const DiagnoseTask task = {.settings = all->settings,
-                               .threads = all->threads,
+                               .threads = threads,
                                .pairs = all->options->pairs,
                                .seconds = all->seconds,
-                               .cancel = {show_share, all}};
-    for (;;) {
-        pthread_mutex_lock(&all->lock);
-        const int next = all->next++;
-        pthread_mutex_unlock(&all->lock);
-        if (next >= all->count || !show_share(0, all))
-            return;
-        File *file = &all->files[next];
-        if (diagnose_read(&file->table, file->path, all->settings, all->options->map, &file->failure))
-            diagnose(&task, &file->table, &file->found, &file->failure);
-        pthread_mutex_lock(&all->lock);
-        all->done++;
-        pthread_mutex_unlock(&all->lock);
-    }
-}
-
-static bool work_all(Files *all, Status *status)
-{
-    Pool *pool = pool_create(all->at_once, status);
-    if (!pool)
-        return false;
-    progress_begin(&all->progress, all->options->quiet);
-    pool_run(pool, work, all, all->at_once);
-    progress_end(&all->progress);
-    pool_destroy(pool);
-    return !progress_signal() || status_fail(status, "interrupted");
+                               .cancel = cancel};
+    File *file = &all->files[index];
+    if (diagnose_read(&file->table, file->path, all->settings, all->options->map, &file->failure))
+        diagnose(&task, &file->table, &file->found, &file->failure);
 }
 
 /* --- what is said ----------------------------------------------------------------------------------- */
@@ -361,19 +321,17 @@ int cli_diagnose(Options *options, Status *status)
         !options_load(options, options->words[0], &settings, status) ||
         !(!options->output || output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status)))
         return (int)status->code;
-    const int files = options->n_words - 1, threads = progress_threads(options->threads);
+    const int files = options->n_words - 1;
     Files all = {.options = options,
                  .settings = &settings,
                  .files = calloc((size_t)files, sizeof *all.files),
                  .count = files,
-                 .seconds = seconds,
-                 .at_once = threads < files ? threads : files};
-    all.threads = threads / all.at_once;
-    pthread_mutex_init(&all.lock, NULL);
+                 .seconds = seconds};
     for (int i = 0; i < files && all.files; i++)
         all.files[i].path = options->words[i + 1];
-    const bool sound =
-        (all.files || status_fail(status, "out of memory")) && work_all(&all, status) && tell(&all, status);
+    const bool sound = (all.files || status_fail(status, "out of memory")) &&
+                       cli_each(files, options->threads, options->quiet, judge, &all, status) &&
+                       tell(&all, status);
     int judged = STATUS_DONE; /* the worst: a file that is not right is a check that failed */
     for (int i = 0; i < files && sound; i++)
         if (all.files[i].found.word > WORD_RIGHT_BUT)
@@ -381,6 +339,5 @@ int cli_diagnose(Options *options, Status *status)
     for (int i = 0; i < files && all.files; i++)
         diagnose_close(&all.files[i].table);
     free(all.files);
-    pthread_mutex_destroy(&all.lock);
     return sound && judged != 0 ? judged : progress_result(sound, status);
 }

@@ -286,12 +286,6 @@ static bool mark_all(Marking *marking, const Options *options, Status *status)
     return sound;
 }
 
-static void begin_table(const Options *options, FILE *stream)
-{
-    if (options->bom)
-        fputs("\xef\xbb\xbf", stream);
-}
-
 /* Two tables and the pages: all are there at the end, or none. */
 static bool write_all(Marking *marking, const Options *options, Status *status)
 {
@@ -302,14 +296,15 @@ static bool write_all(Marking *marking, const Options *options, Status *status)
         return false;
     marking->table = file.stream;
     marking->sheets = options->sheet ? &sheets : NULL;
-    begin_table(options, file.stream);
+    const char *mark = options->bom ? "\xef\xbb\xbf" : "";
+    fputs(mark, file.stream);
     bool sound = (!options->moodle ||
                   output_open(&moodle, ASKER_COMMAND_LINE, options->moodle, options->force, status)) &&
                  (!options->sheet || leaflet_open(&sheets, ASKER_COMMAND_LINE, options->sheet, options->force,
                                                   marking->lesson.title, status)) &&
                  mark_all(marking, options, status);
     if (sound && options->moodle) {
-        begin_table(options, moodle.stream);
+        fputs(mark, moodle.stream);
         students_write(&marking->students, &marking->lesson, moodle.stream, marking->dialect);
     }
     sound = sound && output_finish(&file, status) && (!options->moodle || output_finish(&moodle, status)) &&
@@ -320,18 +315,6 @@ static bool write_all(Marking *marking, const Options *options, Status *status)
     output_close(&moodle);
     students_free(&marking->students);
     return sound;
-}
-
-static bool may_write(const Options *options, Status *status)
-{
-    OutputNames names = {.asker = ASKER_COMMAND_LINE, .force = options->force};
-    return output_names_differ(
-        &names,
-        output_names_take(&names, options->output ? options->output : "-", status) &&
-            output_names_take(&names, options->moodle, status) &&
-            (!options->sheet || leaflet_allowed(options->sheet, names.asker, names.force, status)) &&
-            output_names_take(&names, options->sheet, status),
-        status);
 }
 
 /* `matvib grade --key LESSON`: the right answers of a lesson's exercises, for the teacher. */
@@ -363,21 +346,6 @@ static void print_answer(const Lesson *lesson, const Grade *grade)
     }
 }
 
-/* What is about sessions and their tables. */
-static bool is_for_key(const Options *options, Status *status)
-{
-    const struct {
-        bool given;
-        const char *name;
-    } others[] = {{options->limit > 0, "--limit"}, {options->output, "--output"},
-                  {options->moodle, "--moodle"},   {options->roster, "--roster"},
-                  {options->sheet, "--sheet"},     {options->bom, "--bom"}};
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-        if (others[i].given)
-            return status_refuse(status, "%s: does not go with --key", others[i].name);
-    return true;
-}
-
 /* What `grade --key` prints. */
 static int grade_key(const Options *options, Status *status)
 {
@@ -385,7 +353,16 @@ static int grade_key(const Options *options, Status *status)
     char student[STUDENT_MAX] = "";
     Lesson lesson;
     Progress progress;
-    if (!is_for_key(options, status) || !options_words(options, 1, 1, "LESSON", status) ||
+    /* what is about sessions and their tables */
+    const char *other = options->limit > 0 ? "--limit"
+                        : options->output  ? "--output"
+                        : options->moodle  ? "--moodle"
+                        : options->roster  ? "--roster"
+                        : options->sheet   ? "--sheet"
+                        : options->bom     ? "--bom"
+                                           : NULL;
+    if ((other && !status_refuse(status, "%s: does not go with --key", other)) ||
+        !options_words(options, 1, 1, "LESSON", status) ||
         (options->name && !variant_student(options->name, student, status) &&
          !status_prefix(status, "--name")) ||
         !lesson_load_for(name, student, command_line_for_lessons, &lesson, status))
@@ -421,10 +398,18 @@ static int grade_key(const Options *options, Status *status)
 int cli_grade(Options *options, Status *status)
 {
     Marking marking = {.refused = 0};
+    OutputNames names = {.asker = ASKER_COMMAND_LINE, .force = options->force};
     if (options->key)
         return grade_key(options, status);
     if ((options->name && !status_refuse(status, "--name: goes with --key")) ||
-        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) || !may_write(options, status) ||
+        !options_words(options, 2, WORDS_MAX, "LESSON SESSION...", status) ||
+        !output_names_differ(
+            &names,
+            output_names_take(&names, options->output ? options->output : "-", status) &&
+                output_names_take(&names, options->moodle, status) &&
+                (!options->sheet || leaflet_allowed(options->sheet, names.asker, names.force, status)) &&
+                output_names_take(&names, options->sheet, status),
+            status) ||
         !lesson_load(options->words[0], command_line_for_lessons, &marking.lesson, status))
         return (int)status->code;
     if (options->roster && !roster_read(options->roster, &marking.students, status)) {

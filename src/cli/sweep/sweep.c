@@ -12,48 +12,47 @@
 #include "cli/cli.h"
 #include "cli/options.h"
 #include "cli/sweep/sweep_plan.h"
-#include "methods/pool.h"
 #include "scenario/rows/rows.h"
 #include "export/export.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The rows of a sweep as a table: the varied keys, then the results. */
-
-typedef struct SweepTable {
-    const SweepPlan *plan;
+typedef struct Sweep {
+    const Options *options;
+    SweepPlan plan;
     const Problem *problem;
-    const double *keys; /* plan->n_keys for each combination: the value, or the index of a choice */
-    const SweepResult *results;
+    uint64_t *numbers; /* of the combinations */
+    double *keys;      /* plan.n_keys for each combination: the value, or the index of a choice */
+    SweepResult *results;
     bool has[RESULT_COLUMNS]; /* columns that are written */
-    int rows;                 /* combinations with a result */
-} SweepTable;
+} Sweep;
+
+/* --- the rows as a table: the varied keys, then the results ---------------------------------------- */
 
 enum { TABLE_COLUMNS_MAX = AXES_MAX + RESULT_COLUMNS };
 
-static int names_of(const SweepTable *table, const char *names[TABLE_COLUMNS_MAX])
+static int names_of(const Sweep *sweep, const char *names[TABLE_COLUMNS_MAX])
 {
     int n = 0;
-    for (int k = 0; k < table->plan->n_keys; k++)
-        names[n++] = table->plan->keys[k].key;
+    for (int k = 0; k < sweep->plan.n_keys; k++)
+        names[n++] = sweep->plan.keys[k].key;
     for (int column = 0; column < RESULT_COLUMNS; column++)
-        if (table->has[column])
+        if (sweep->has[column])
             names[n++] = sweep_columns[column].name;
     return n;
 }
 
-static void row_of(const SweepTable *table, int combination, double row[TABLE_COLUMNS_MAX])
+static void row_of(const Sweep *sweep, int combination, double row[TABLE_COLUMNS_MAX])
 {
-    int n = table->plan->n_keys;
-    memcpy(row, table->keys + (size_t)combination * (size_t)n, (size_t)n * sizeof *row);
+    int n = sweep->plan.n_keys;
+    memcpy(row, sweep->keys + (size_t)combination * (size_t)n, (size_t)n * sizeof *row);
     for (int column = 0; column < RESULT_COLUMNS; column++)
-        if (table->has[column])
-            row[n++] = table->results[combination].cells[column];
+        if (sweep->has[column])
+            row[n++] = sweep->results[combination].cells[column];
 }
 
 static const char *word_of(const Parameter *parameter, const Problem *problem, double value)
@@ -65,23 +64,23 @@ static const char *word_of(const Parameter *parameter, const Problem *problem, d
                                                  : NULL;
 }
 
-static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE *stream)
+static void write_csv(const Sweep *sweep, FILE *stream)
 {
+    const Dialect dialect = sweep->options->outputs.dialect;
     const char *names[TABLE_COLUMNS_MAX];
     double row[TABLE_COLUMNS_MAX];
-    int n = names_of(table, names);
+    int n = names_of(sweep, names);
     csv_header(stream, dialect, names, n);
-    for (int i = 0; i < table->plan->n_combinations; i++)
-        if (table->results[i].done) {
+    for (int i = 0; i < sweep->plan.n_combinations; i++)
+        if (sweep->results[i].done) {
             int from = 0;
-            row_of(table, i, row);
-            for (int column = 0; column < table->plan->n_keys; column++) {
+            row_of(sweep, i, row);
+            for (int column = 0; column < sweep->plan.n_keys; column++) {
                 /* The word of a value that is not a number, as contact.gap = off. */
-                const Parameter *parameter =
-                    column < table->plan->n_keys ? table->plan->keys[column].parameter : NULL;
+                const Parameter *parameter = sweep->plan.keys[column].parameter;
                 const char *word =
                     parameter && parameter->automatic_value < 0 && row[column] == parameter->automatic_value
-                        ? word_of(parameter, table->problem, row[column])
+                        ? word_of(parameter, sweep->problem, row[column])
                         : NULL;
                 if (!word)
                     continue;
@@ -94,11 +93,11 @@ static void sweep_table_write_csv(const SweepTable *table, Dialect dialect, FILE
 
 /* --- aligned -------------------------------------------------------------------------------------- */
 
-static void cell_text(const SweepTable *table, int column, double value, char out[VALUE_MAX])
+static void cell_text(const Sweep *sweep, int column, double value, char out[VALUE_MAX])
 {
-    const SweepPlan *plan = table->plan;
+    const SweepPlan *plan = &sweep->plan;
     const char *word =
-        column < plan->n_keys ? word_of(plan->keys[column].parameter, table->problem, value) : NULL;
+        column < plan->n_keys ? word_of(plan->keys[column].parameter, sweep->problem, value) : NULL;
     if (word)
         snprintf(out, VALUE_MAX, "%s", word);
     else if (isnan(value))
@@ -108,18 +107,18 @@ static void cell_text(const SweepTable *table, int column, double value, char ou
 }
 
 /* Aligned for reading: six digits, choices as words. */
-static void sweep_table_write_text(const SweepTable *table, FILE *stream)
+static void write_text(const Sweep *sweep, FILE *stream)
 {
     const char *names[TABLE_COLUMNS_MAX];
     double row[TABLE_COLUMNS_MAX];
     char text[VALUE_MAX];
-    int width[TABLE_COLUMNS_MAX], n = names_of(table, names), last = table->plan->n_combinations;
+    int width[TABLE_COLUMNS_MAX], n = names_of(sweep, names), last = sweep->plan.n_combinations;
     for (int column = 0; column < n; column++)
         width[column] = (int)strlen(names[column]);
     for (int i = 0; i < last; i++) {
-        row_of(table, i, row);
-        for (int column = 0; table->results[i].done && column < n; column++) {
-            cell_text(table, column, row[column], text);
+        row_of(sweep, i, row);
+        for (int column = 0; sweep->results[i].done && column < n; column++) {
+            cell_text(sweep, column, row[column], text);
             if ((int)strlen(text) > width[column])
                 width[column] = (int)strlen(text);
         }
@@ -127,9 +126,9 @@ static void sweep_table_write_text(const SweepTable *table, FILE *stream)
     for (int column = 0; column < n; column++)
         fprintf(stream, "%*s%s", width[column], names[column], column + 1 < n ? "  " : "\n");
     for (int i = 0; i < last; i++) {
-        row_of(table, i, row);
-        for (int column = 0; table->results[i].done && column < n; column++) {
-            cell_text(table, column, row[column], text);
+        row_of(sweep, i, row);
+        for (int column = 0; sweep->results[i].done && column < n; column++) {
+            cell_text(sweep, column, row[column], text);
             fprintf(stream, "%*s%s", width[column], text, column + 1 < n ? "  " : "\n");
         }
     }
@@ -137,7 +136,7 @@ static void sweep_table_write_text(const SweepTable *table, FILE *stream)
 
 /* --- what the columns mean ------------------------------------------------------------------------ */
 
-static void describe_key(const SweepTable *table, const SweepKey *key, FILE *stream)
+static void describe_key(const Sweep *sweep, const SweepKey *key, FILE *stream)
 {
     const Parameter *parameter = key->parameter;
     if (!parameter) {
@@ -146,7 +145,7 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
                 column ? column->word : "value");
         return;
     }
-    const Parameter row = parameter_in(parameter, table->problem);
+    const Parameter row = parameter_in(parameter, sweep->problem);
     fprintf(stream, "%s [%s]: %s", key->key, *row.unit ? row.unit : "1", row.help);
     if (parameter->type == PARAMETER_FLAG)
         fputs(" (0 = no, 1 = yes)", stream);
@@ -157,20 +156,6 @@ static void describe_key(const SweepTable *table, const SweepKey *key, FILE *str
                 parameter->choices[i + 1] ? "" : ")");
     fputc('\n', stream);
 }
-
-typedef struct Sweep {
-    const Options *options;
-    SweepPlan plan;
-    uint64_t *numbers; /* of the combinations */
-    double *keys;
-    SweepResult *results;
-    const Problem *problem;
-    int at_once, threads; /* runs side by side, and threads of each */
-    pthread_mutex_t lock; /* of what follows */
-    int next;             /* combination that nobody has taken */
-    double share;         /* sum over the combinations of what is done of each */
-    Progress progress;
-} Sweep;
 
 /* --- before the first run ------------------------------------------------------------------------- */
 
@@ -202,14 +187,12 @@ static bool prepare(Sweep *sweep, Status *status)
     Settings settings;
     if (!sweep_plan_read(plan, sweep->options, status))
         return false;
-    const int count = plan->n_combinations, threads = progress_threads(sweep->options->threads);
+    const int count = plan->n_combinations;
     sweep->numbers = calloc((size_t)count, sizeof *sweep->numbers);
     sweep->results = calloc((size_t)count, sizeof *sweep->results);
     sweep->keys = calloc((size_t)count * (size_t)plan->n_keys, sizeof *sweep->keys);
     if (!sweep->numbers || !sweep->results || !sweep->keys)
         return no_memory(status);
-    sweep->at_once = threads < count ? threads : count;
-    sweep->threads = threads / sweep->at_once;
     for (int i = 0; i < count; i++) {
         if (!sweep_plan_load(plan, sweep->options, i, false, &settings, status))
             return false;
@@ -235,70 +218,35 @@ static bool prepare(Sweep *sweep, Status *status)
 
 /* --- the runs, on any thread ---------------------------------------------------------------------- */
 
-typedef struct OneRun {
-    Sweep *sweep;
-    double share;
-} OneRun;
-
-static bool show_share(double share, void *context)
+static void run_one(void *owner, int combination, int threads, Cancel cancel)
 {
-    OneRun *run = context;
-    Sweep *sweep = run->sweep;
-    pthread_mutex_lock(&sweep->lock);
-    sweep->share += share - run->share;
-    run->share = share;
-    const bool goes_on = progress_show(sweep->share / sweep->plan.n_combinations, &sweep->progress);
-    pthread_mutex_unlock(&sweep->lock);
-    return goes_on;
-}
-
-/* One combination after the other, so that none waits behind a long one while a thread has nothing to do. */
-static void run_while_there_are(void *context, int chunk, int worker)
-{
-    (void)chunk, (void)worker;
-    Sweep *sweep = context;
+    Sweep *sweep = owner;
     const Options *options = sweep->options;
-    for (;;) {
-        pthread_mutex_lock(&sweep->lock);
-        const int combination = sweep->next++;
-        pthread_mutex_unlock(&sweep->lock);
-        if (combination >= sweep->plan.n_combinations)
-            return;
-        SweepResult *result = &sweep->results[combination];
-        OneRun run = {sweep, 0};
-        Settings settings;
-        RunSummary summary;
-        Status *why = &result->failure;
-        if (!show_share(0, &run) ||
-            !sweep_plan_load(&sweep->plan, options, combination, false, &settings, why))
-            continue;
-        const uint64_t number = number_of(&settings);
-        if (number != sweep->numbers[combination]) {
-            number == 0 ? no_memory(why)
-                        : status_fail(why, "%s has changed since the sweep began", options->words[0]);
-            continue;
-        }
-        if (options->steps > 0 && !sweep_plan_load(&sweep->plan, options, combination, true, &settings, why))
-            continue;
-        settings.cancel = (Cancel){show_share, &run};
-        double began = clock_seconds();
-        if (export_run(&settings, &(Outputs){0}, sweep->threads, show_share, &run, &summary, why))
-            sweep_result_of(&summary, &settings, clock_seconds() - began, result);
-        show_share(1, &run);
+    SweepResult *result = &sweep->results[combination];
+    Settings settings;
+    RunSummary summary;
+    Status *why = &result->failure;
+    if (!sweep_plan_load(&sweep->plan, options, combination, false, &settings, why))
+        return;
+    const uint64_t number = number_of(&settings);
+    if (number != sweep->numbers[combination]) {
+        number == 0 ? no_memory(why)
+                    : status_fail(why, "%s has changed since the sweep began", options->words[0]);
+        return;
     }
+    if (options->steps > 0 && !sweep_plan_load(&sweep->plan, options, combination, true, &settings, why))
+        return;
+    settings.cancel = cancel;
+    const double began = clock_seconds();
+    if (export_run(&settings, &(Outputs){0}, threads, cancel.go_on, cancel.context, &summary, why))
+        sweep_result_of(&summary, &settings, clock_seconds() - began, result);
 }
 
 static int run_all(Sweep *sweep, Status *status)
 {
-    Pool *pool = pool_create(sweep->at_once, status);
-    if (!pool)
-        return (int)status->code;
-    progress_begin(&sweep->progress, sweep->options->quiet);
-    pool_run(pool, run_while_there_are, sweep, sweep->at_once);
-    progress_end(&sweep->progress);
-    pool_destroy(pool);
-    if (progress_signal() != 0)
-        return progress_result(status_fail(status, "interrupted"), status);
+    const Options *options = sweep->options;
+    if (!cli_each(sweep->plan.n_combinations, options->threads, options->quiet, run_one, sweep, status))
+        return progress_result(false, status);
     for (int i = 0; i < sweep->plan.n_combinations; i++) {
         const SweepResult *result = &sweep->results[i];
         char values[512];
@@ -323,7 +271,7 @@ static char *beside_name(const char *output, Status *status)
 }
 
 /* The scenario of the first combination; as comments the command and the columns. */
-static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile *file, Status *status)
+static bool write_beside(const Sweep *sweep, OutputFile *file, Status *status)
 {
     char *comment = NULL;
     size_t size = 0;
@@ -345,10 +293,10 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile
     }
     fputs("\n\nColumns:\n", text);
     /* A line for each column: name, unit, meaning; what the indices of choices stand for. */
-    for (int k = 0; k < table->plan->n_keys; k++)
-        describe_key(table, &table->plan->keys[k], text);
+    for (int k = 0; k < sweep->plan.n_keys; k++)
+        describe_key(sweep, &sweep->plan.keys[k], text);
     for (int column = 0; column < RESULT_COLUMNS; column++)
-        if (table->has[column])
+        if (sweep->has[column])
             fprintf(text, "%s [%s]: %s\n", sweep_columns[column].name, sweep_columns[column].unit,
                     sweep_columns[column].meaning);
     fputs("\nThe first combination:\n", text);
@@ -359,18 +307,18 @@ static bool write_beside(const Sweep *sweep, const SweepTable *table, OutputFile
     return written;
 }
 
-static bool write_files(const Sweep *sweep, const SweepTable *table, Status *status)
+static bool write_files(const Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
     OutputFile file, beside = {0};
     if (!output_open(&file, ASKER_COMMAND_LINE, options->output, options->force, status))
         return false;
-    sweep_table_write_csv(table, options->outputs.dialect, file.stream);
+    write_csv(sweep, file.stream);
     bool good = output_finish(&file, status);
     if (good && file.target) {
         char *name = beside_name(options->output, status);
         good = name && output_open(&beside, ASKER_COMMAND_LINE, name, options->force, status) &&
-               write_beside(sweep, table, &beside, status);
+               write_beside(sweep, &beside, status);
         free(name);
     }
     good = good && output_commit(&file, status) && output_commit(&beside, status);
@@ -382,31 +330,25 @@ static bool write_files(const Sweep *sweep, const SweepTable *table, Status *sta
 static int write_all(Sweep *sweep, Status *status)
 {
     const Options *options = sweep->options;
-    SweepTable table = {
-        .plan = &sweep->plan, .problem = sweep->problem, .keys = sweep->keys, .results = sweep->results};
-    /* A column is written if a row has a number in it; a row that has none leaves its cell empty. */
-    table.rows = 0;
-    for (int i = 0; i < table.plan->n_combinations; i++)
-        table.rows += table.results[i].done;
-    for (int column = 0; column < RESULT_COLUMNS; column++) {
-        table.has[column] = false;
-        for (int i = 0; i < table.plan->n_combinations; i++)
-            table.has[column] =
-                table.has[column] || (table.results[i].done && isfinite(table.results[i].cells[column]));
+    const int all = sweep->plan.n_combinations;
+    int rows = 0;
+    for (int i = 0; i < all; i++) {
+        rows += sweep->results[i].done;
+        /* A column is written if a row has a number in it; a row that has none leaves its cell empty. */
+        for (int column = 0; column < RESULT_COLUMNS && sweep->results[i].done; column++)
+            sweep->has[column] |= isfinite(sweep->results[i].cells[column]);
     }
-    int all = sweep->plan.n_combinations;
-    if (table.rows == 0)
+    if (rows == 0)
         return status_fail(status, "no combination has a row (%d left out)", all), STATUS_FAILED;
-    if (options->output && !write_files(sweep, &table, status))
+    if (options->output && !write_files(sweep, status))
         return (int)status->code;
-    bool terminal = isatty(STDOUT_FILENO);
-    if (terminal && !(options->output && output_is_standard(options->output)))
-        sweep_table_write_text(&table, stdout);
+    if (isatty(STDOUT_FILENO) && !(options->output && output_is_standard(options->output)))
+        write_text(sweep, stdout);
     else if (!options->output)
-        sweep_table_write_csv(&table, options->outputs.dialect, stdout);
-    if (table.rows == all)
+        write_csv(sweep, stdout);
+    if (rows == all)
         return STATUS_DONE;
-    return status_fail(status, "%d of %d combinations have no row", all - table.rows, all), STATUS_FAILED;
+    return status_fail(status, "%d of %d combinations have no row", all - rows, all), STATUS_FAILED;
 }
 
 /* --- the command ---------------------------------------------------------------------------------- */
@@ -430,7 +372,6 @@ static bool may_begin(const Sweep *sweep, Status *status)
 int cli_sweep(Options *options, Status *status)
 {
     Sweep sweep = {.options = options};
-    pthread_mutex_init(&sweep.lock, NULL);
     const bool begins = prepare(&sweep, status) && may_begin(&sweep, status);
     int result = begins ? run_all(&sweep, status) : (int)status->code;
     if (result == STATUS_DONE)
@@ -439,6 +380,5 @@ int cli_sweep(Options *options, Status *status)
     free(sweep.numbers);
     free(sweep.results);
     free(sweep.keys);
-    pthread_mutex_destroy(&sweep.lock);
     return result;
 }

@@ -24,19 +24,6 @@ static int rows_to_run(const VerifyCheck *check, bool full)
     return count;
 }
 
-static bool is_known(const char *name, Status *status)
-{
-    const VerifyCheck *nearest = verify_checks;
-    for (const VerifyCheck *check = verify_checks; check->name; check++) {
-        if (strcmp(check->name, name) == 0)
-            return true;
-        if (text_distance(name, check->name) < text_distance(name, nearest->name))
-            nearest = check;
-    }
-    return status_refuse(status, "verify: unknown name \"%s\" (the nearest is %s; --list shows all)", name,
-                         nearest->name);
-}
-
 static bool is_named(const Options *options, const VerifyCheck *check)
 {
     for (int i = 0; i < options->n_words; i++)
@@ -63,9 +50,18 @@ int verify_main(int count, char **arguments, FILE *out, Status *status)
     Options options;
     if (!options_parse("verify", count, arguments, &options, status))
         return STATUS_USAGE;
-    for (int i = 0; i < options.n_words; i++)
-        if (!is_known(options.words[i], status))
+    for (int i = 0; i < options.n_words; i++) {
+        const char *name = options.words[i];
+        const VerifyCheck *nearest = verify_checks;
+        for (const VerifyCheck *check = verify_checks; check->name; check++)
+            if (text_distance(name, check->name) < text_distance(name, nearest->name))
+                nearest = check;
+        if (strcmp(nearest->name, name) != 0) {
+            status_refuse(status, "verify: unknown name \"%s\" (the nearest is %s; --list shows all)", name,
+                          nearest->name);
             return STATUS_USAGE;
+        }
+    }
     if (options.list) {
         for (const VerifyCheck *check = verify_checks; check->name; check++)
             fprintf(out, "%-12s %s%s\n", check->name, check->title,
@@ -165,39 +161,43 @@ static void print_row(FILE *out, const VerifyRow *row, const VerifyNumbers *numb
     print_columns(out, row->what, words);
 }
 
-static void print_verdicts(FILE *out, const VerifyRow *row, const VerifyNumbers *numbers, Verdict reproduces,
-                           Verdict bounded, Verdict near)
+/* What may be asked of a row's own number, in this order. */
+enum { REPRODUCES, BOUNDED, NEAR, VERDICTS };
+
+static const char *const paper_words[AGREEMENTS] = {
+    [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
+
+static void print_verdicts(FILE *out, const VerifyRow *row, const VerifyNumbers *numbers,
+                           const Verdict verdicts[VERDICTS])
 {
-    static const char *const good[] = {"MISSED", "reproduces", "holds"};
+    static const char *const names[] = {"our reference", "bound"};
+    static const char *const good[] = {"reproduces", "holds"};
+    const Band bands[] = {row->reference, row->bound};
     static const char *const beside[VERIFY_COLUMNS] = {[VERIFY_THEORY] = "theory",
                                                        [VERIFY_EIGENVALUE] = "the eigenvalue",
                                                        [VERIFY_PREDICTED] = "the prediction"};
 
-    char band[64];
-    if (reproduces != VERDICT_NONE) {
-        print_band(band, row->reference, row->decimals);
-        fprintf(out, "    our reference: %s: %s\n", band, good[reproduces == VERDICT_GOOD ? 1 : 0]);
-    }
-    if (bounded != VERDICT_NONE) {
-        print_band(band, row->bound, row->decimals);
-        fprintf(out, "    bound: %s: %s\n", band, good[bounded == VERDICT_GOOD ? 2 : 0]);
-    }
-    if (near != VERDICT_NONE)
+    for (int i = REPRODUCES; i < NEAR; i++)
+        if (verdicts[i] != VERDICT_NONE) {
+            char band[64];
+            print_band(band, bands[i], row->decimals);
+            fprintf(out, "    %s: %s: %s\n", names[i], band,
+                    verdicts[i] == VERDICT_GOOD ? good[i] : "MISSED");
+        }
+    if (verdicts[NEAR] != VERDICT_NONE)
         fprintf(out, "    off %s by %.1e (at most %.1e): %s\n", beside[numbers->beside],
                 fabs(numbers->values[numbers->own] - numbers->values[numbers->beside]), row->tolerance,
-                good[near == VERDICT_GOOD ? 2 : 0]);
+                verdicts[NEAR] == VERDICT_GOOD ? "holds" : "MISSED");
 }
 
 static void print_agreement(FILE *out, const Claim *claim, double number, Agreement agreement)
 {
-    static const char *const words[AGREEMENTS] = {
-        [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
     if (agreement == PAPER_SILENT)
         return;
     fprintf(out, "    the paper: \"%s\"", claim->words);
     if (isnan(claim->number))
         fprintf(out, " (taken as %g..%g)", claim->range.low, claim->range.high);
-    fprintf(out, ": %s", words[agreement]);
+    fprintf(out, ": %s", paper_words[agreement]);
     if (!isnan(claim->number) && !isnan(number))
         fprintf(out, fabs(number / claim->number - 1) < 0.1 ? ", %+.1f %%" : ", %+.0f %%",
                 100 * (number / claim->number - 1));
@@ -223,11 +223,10 @@ static const char *unit_of(const VerifyCheck *check, const VerifyRow *row, char 
 
 /* What print_row(), print_verdicts() and print_agreement() say. */
 static void put_row(Verify *verify, const VerifyCheck *check, const VerifyRow *row,
-                    const VerifyNumbers *numbers, const Verdict verdicts[3], Agreement paper, Agreement also)
+                    const VerifyNumbers *numbers, const Verdict verdicts[VERDICTS], Agreement paper,
+                    Agreement also)
 {
-    static const char *const kinds[] = {"reference", "bound", "near"};
-    static const char *const papers[AGREEMENTS] = {
-        [PAPER_AGREES] = "agrees", [PAPER_NEAR] = "near", [PAPER_DIFFERS] = "differs"};
+    static const char *const kinds[VERDICTS] = {"reference", "bound", "near"};
     char unit[16];
     quantities_add(verify->json, row->what + strspn(row->what, " "), numbers->values[numbers->own],
                    unit_of(check, row, unit));
@@ -235,13 +234,13 @@ static void put_row(Verify *verify, const VerifyCheck *check, const VerifyRow *r
     for (int i = 0; i < VERIFY_COLUMNS; i++)
         if (!isnan(numbers->values[i]))
             quantities_number(verify->json, column_words[i], numbers->values[i]);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < VERDICTS; i++)
         if (verdicts[i] != VERDICT_NONE)
             quantities_text(verify->json, kinds[i], verdicts[i] == VERDICT_GOOD ? "holds" : "missed");
     if (paper != PAPER_SILENT)
-        quantities_text(verify->json, "paper", papers[paper]);
+        quantities_text(verify->json, "paper", paper_words[paper]);
     if (also != PAPER_SILENT)
-        quantities_text(verify->json, "paper_also", papers[also]);
+        quantities_text(verify->json, "paper_also", paper_words[also]);
     if (verify->run.failure.code != STATUS_DONE)
         quantities_text(verify->json, "failure", verify->run.failure.text);
 }
@@ -269,25 +268,25 @@ static void run_row(Verify *verify, const VerifyCheck *check, const VerifyRow *r
     if (verify->progress)
         progress_end(verify->progress);
     const double number = numbers.values[numbers.own];
-    const Verdict reproduces = verify_reproduces(row, &numbers), bounded = verify_is_bounded(row, &numbers),
-                  near = verify_is_near(row, &numbers);
+    const Verdict verdicts[VERDICTS] = {verify_reproduces(row, &numbers), verify_is_bounded(row, &numbers),
+                                        verify_is_near(row, &numbers)};
     const Agreement paper = verify_agreement(&row->paper, number),
                     also = verify_agreement(&row->also, number);
     if (verify->json) {
-        put_row(verify, check, row, &numbers, (const Verdict[]){reproduces, bounded, near}, paper, also);
+        put_row(verify, check, row, &numbers, verdicts, paper, also);
     } else {
         print_row(verify->out, row, &numbers);
-        print_verdicts(verify->out, row, &numbers, reproduces, bounded, near);
+        print_verdicts(verify->out, row, &numbers, verdicts);
         print_agreement(verify->out, &row->paper, number, paper);
         print_agreement(verify->out, &row->also, number, also);
+        if (run->failure.code != STATUS_DONE)
+            fprintf(verify->out, "    %s\n", run->failure.text);
     }
-    if (!verify->json && run->failure.code != STATUS_DONE)
-        fprintf(verify->out, "    %s\n", run->failure.text);
     fflush(verify->out);
     verify->rows++;
-    verify->references[reproduces]++;
-    verify->bounds[bounded]++;
-    verify->bounds[near]++;
+    verify->references[verdicts[REPRODUCES]]++;
+    verify->bounds[verdicts[BOUNDED]]++;
+    verify->bounds[verdicts[NEAR]]++;
     verify->papers[paper]++;
     if (also != PAPER_SILENT)
         verify->papers[also]++;

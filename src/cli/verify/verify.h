@@ -111,7 +111,7 @@ typedef struct Claim {
 typedef struct VerifyRow VerifyRow;
 
 /* A number of a run; `row` has the column, the time and so on. NAN: there is none. */
-typedef double (*VerifyQuantity)(VerifyRun *, const VerifyRow *row);
+typedef double VerifyQuantity(VerifyRun *, const VerifyRow *row);
 
 /* What numbers are printed under. */
 typedef enum VerifyColumn {
@@ -127,11 +127,11 @@ typedef enum VerifyColumn {
 struct VerifyRow {
     const char *what;     /* with its unit */
     const char *scenario; /* and KEY=VALUE ..., as `matvib run` takes them; NULL: as in the row above */
-    VerifyQuantity quantity, theory, eigenvalue, predicted; /* quantity: measured */
-    const char *column, *other;                             /* what the quantity takes: columns, names */
-    double from, to;                                        /* times, or what else it takes */
-    double scale;                                           /* the numbers are printed times this; 0: 1 */
-    double part;                                            /* of many runs, those below: .5 is the median */
+    VerifyQuantity *quantity, *theory, *eigenvalue, *predicted; /* quantity: measured */
+    const char *column, *other;                                 /* what the quantity takes: columns, names */
+    double from, to;                                            /* times, or what else it takes */
+    double scale;                                               /* the numbers are printed times this; 0: 1 */
+    double part; /* of many runs, those below: .5 is the median */
     int decimals;
     Band reference;   /* around the digits of an independent solver; unused where both ends are 0 */
     Band bound;       /* what must hold without one: a law, a ripple; likewise */
@@ -179,55 +179,48 @@ Agreement verify_agreement(const Claim *claim, double measured);
 /* Numbers that a verification takes from a run; what `row` must hold for each stands after it. NAN where
  * the run has no such number. */
 
-#define QUANTITY(name, value) double quantity_##name(VerifyRun *, const VerifyRow *);
+#define QUANTITY(name, value) VerifyQuantity quantity_##name;
 #include "cli/verify/verify_quantity_rows.inc"
 #undef QUANTITY
 
-/* By how much the period is longer, percent; other: the scenario of the shorter one. */
-double quantity_longer_than(VerifyRun *, const VerifyRow *);
-double quantity_finding_order(VerifyRun *, const VerifyRow *);
+/* By how much the period is longer, percent; other: the scenario of the shorter one. The order of a finding
+ * between two cell sizes; other: the scenario of the smaller one. */
+VerifyQuantity quantity_longer_than, quantity_finding_order;
 
 /* A column of the series: its amplitude in from..to, of other's value at t = 0; the largest |column - other|;
  * the relative L2 of both in from..to, percent; the frequency of its highest line in from..to (Hz); the time
  * at which it comes to `from`. */
-double quantity_amplitude_share(VerifyRun *, const VerifyRow *);
-double quantity_furthest(VerifyRun *, const VerifyRow *);
-double quantity_distance(VerifyRun *, const VerifyRow *);
-double quantity_line(VerifyRun *, const VerifyRow *);
-double quantity_first_above(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_amplitude_share, quantity_furthest, quantity_distance, quantity_line,
+    quantity_first_above;
 
 /* Energy: mean of kinetic and strain over t >= to, over that until `from`; how far kinetic, strain and
  * dissipated together are from the work after `from`, largest, percent. */
-double quantity_energy_left(VerifyRun *, const VerifyRow *);
-double quantity_energy_off_work(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_energy_left, quantity_energy_off_work;
 
 /* The first of these over many starts, whose velocities lie within 1 % of the run's: `scale` of them are
  * below (0 the least, .5 the median, 1 the most). What is chaotic has no other number. */
-double quantity_energy_left_of_starts(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_energy_left_of_starts;
 
 /* What all energies have gained at the end beyond the start and the work, percent of the work. */
-double quantity_energy_gained(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_energy_gained;
 
 /* The bar: the smallest velocity with which a particle of the scenario leaves its cell, by bisection; the
  * largest Courant number with which a motion of all waves stays bounded, likewise, between from and to. */
-double quantity_crossing_velocity(VerifyRun *, const VerifyRow *);
-double quantity_courant_limit(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_crossing_velocity, quantity_courant_limit;
 
 /* Beams: the surface factor of the node in the middle; the energy after `to` steps of `from` critical ones,
  * over that at the start. */
-double quantity_middle_factor(VerifyRun *, const VerifyRow *);
-double quantity_energy_after_steps(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_middle_factor, quantity_energy_after_steps;
 
 /* Bodies of a scenario that begin with a field of velocities: the largest stress off D eps of a uniform
  * stretch in one step, over the largest of these; off that of a rigid turn with the spin `from`, over
  * G spin dt. Blocks clamped at x = 0 and 1, nu = 0, in their first mode: the root
  * mean square of the error of the displacement, or of a field `column`, over the largest value of the motion,
  * at the cell size `from`; its order between that and `to`. */
-double quantity_stretch_error(VerifyRun *, const VerifyRow *);
-double quantity_turn_error(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_stretch_error, quantity_turn_error;
 
 /* Of the bonds through a plane, stretched up to s0; J/m^2. */
-double quantity_plane_energy(VerifyRun *, const VerifyRow *);
+VerifyQuantity quantity_plane_energy;
 
 /* The one runner of checks, and its counts: what reproduces our reference, what is bounded as it should be,
  * and what agrees with the paper. */

@@ -369,23 +369,24 @@ double quantity_plane_energy(VerifyRun *run, const VerifyRow *row)
     return crack_cost(run->passing.sim, &(Cancel){0}, &cost) ? cost.plane : NAN;
 }
 
-typedef enum FrontNumber { BRANCH_X, BRANCH_TIME, HALF_ANGLE, FASTEST, ANGLE } FrontNumber;
+typedef struct Front {
+    double branch_x, branch_time, half_angle, fastest, angle;
+} Front;
 
-/* Of the first front; NAN: there is no front, or it has no such number. */
-static double front_number(const VerifyRun *run, FrontNumber which, double height)
+/* The first front, its angle over a height; NAN: there is no front, or it has no such number. */
+static Front front_of(const VerifyRun *run, double height)
 {
     CrackFronts fronts = {0};
-    double number = NAN;
+    Front first = {NAN, NAN, NAN, NAN, NAN};
     if (crack_fronts_update(&fronts, run->passing.sim) && fronts.count > 0) {
         const CrackFront *front = &fronts.fronts[0];
-        const double of_branch[] = {front->branch[0], front->branch_time, front->half_angle};
-        if (which > HALF_ANGLE)
-            number = which == FASTEST ? front->fastest : fabs(crack_fronts_angle(front, height));
-        else if (front->branched)
-            number = of_branch[which];
+        if (front->branched)
+            first = (Front){front->branch[0], front->branch_time, front->half_angle, NAN, NAN};
+        first.fastest = front->fastest;
+        first.angle = fabs(crack_fronts_angle(front, height));
     }
     crack_fronts_free(&fronts);
-    return number;
+    return first;
 }
 
 /* --- those of one expression ------------------------------------------------------------------------- */

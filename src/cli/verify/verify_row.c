@@ -17,10 +17,10 @@ static bool lies_in(Band band, double number)
 
 VerifyNumbers verify_numbers(VerifyRun *run, const VerifyRow *row)
 {
-    const VerifyQuantity quantities[VERIFY_COLUMNS] = {[VERIFY_THEORY] = row->theory,
-                                                       [VERIFY_EIGENVALUE] = row->eigenvalue,
-                                                       [VERIFY_PREDICTED] = row->predicted,
-                                                       [VERIFY_MEASURED] = row->quantity};
+    VerifyQuantity *const quantities[VERIFY_COLUMNS] = {[VERIFY_THEORY] = row->theory,
+                                                        [VERIFY_EIGENVALUE] = row->eigenvalue,
+                                                        [VERIFY_PREDICTED] = row->predicted,
+                                                        [VERIFY_MEASURED] = row->quantity};
     VerifyNumbers numbers;
     const double scale = row->scale != 0 ? row->scale : 1;
     int found = 0;
