@@ -223,6 +223,14 @@ bool text_next_item(const char **list, char *out, size_t size)
     return next_of(list, ", ", out, size);
 }
 
+bool text_has_word(const char *list, const char *word)
+{
+    for (char item[128]; text_next_item(&list, item, sizeof item);)
+        if (strcmp(item, word) == 0)
+            return true;
+    return false;
+}
+
 const char *text_last_word(const char *text)
 {
     const char *space = strrchr(text, ' ');

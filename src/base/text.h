@@ -70,6 +70,9 @@ void text_append_shell(char *out, size_t size, const char *word);
 bool text_next_word(const char **text, char *out, size_t size);
 bool text_next_item(const char **list, char *out, size_t size);
 
+/* Whether one of the words of a list is this one. */
+bool text_has_word(const char *list, const char *word);
+
 const char *text_last_word(const char *text);
 
 /* One more of what is allowed: "usf | usl"; what has no room is left out. */

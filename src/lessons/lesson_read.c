@@ -106,7 +106,7 @@ static bool judge_page(const Reader *reader, const LessonPage *page, Status *sta
     for (int i = 0; drawn && i < drawn->variant.n_words; i++) {
         int right = 0;
         for (int k = 0; k < page->n_choices; k++)
-            right += page->if_words[k] && variant_has_word(page->if_words[k], drawn->variant.words[i]);
+            right += page->if_words[k] && text_has_word(page->if_words[k], drawn->variant.words[i]);
         if (right != 1)
             return status_refuse(status, "page \"%.40s\" has %d right choices for %s = %s (one is expected)",
                                  page->title, right, page->if_key, drawn->variant.words[i]);

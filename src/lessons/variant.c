@@ -56,14 +56,6 @@ const char *variant_word(const char *value)
     return value + (*value == '?');
 }
 
-bool variant_has_word(const char *list, const char *word)
-{
-    for (char item[KEY_MAX]; text_next_item(&list, item, sizeof item);)
-        if (strcmp(item, word) == 0)
-            return true;
-    return false;
-}
-
 /* The words behind "KEY from"; of mistakes none but mistakes. */
 static bool read_words(const char *list, const Parameter *parameter, Variant *variant, Status *status)
 {
@@ -387,7 +379,7 @@ bool lesson_draw(Lesson *lesson, const char *student, Status *status)
         for (int k = 0; k < page->n_choices && sound; k++) {
             /* the right one for whom a word was drawn */
             if (variant && page->if_words[k] &&
-                variant_has_word(page->if_words[k], variant_word(variant->value)))
+                text_has_word(page->if_words[k], variant_word(variant->value)))
                 page->right = k;
             sound = fill_in(lesson, i, &page->choices[k], status);
         }

@@ -25,9 +25,6 @@ bool variant_read(const char *text, Variant *, Status *);
 /* The word of a choice's value as variant_draw() writes it: without what conceals it. */
 const char *variant_word(const char *value);
 
-/* Whether a list "WORD, WORD ..." has the word. */
-bool variant_has_word(const char *list, const char *word);
-
 /* The value for a student ("": nobody in particular) in a lesson of that title: one of some twenty to fifty
  * from A to B with few digits; one of the words, a mistake as "?WORD". */
 void variant_draw(const Variant *, const char *title, const char *student, char out[NUMBER_TEXT_MAX]);

@@ -29,22 +29,20 @@ enum { SHOWN_OF_LINE = 8, SHOWN_OF_PLANE = 4, LINKS_MAX = 256, TERM_WIDTH = 10 }
 /* What a stage passes between the chosen one and its links, in one exchange. */
 typedef struct Flowing {
     const Exchange *exchange;
+    const char *unit;
+    double strongest;
     double terms[LINKS_MAX], last[LINKS_MAX]; /* and the last factor of each, which is of the giver */
     Writing writing;
 } Flowing;
 
-typedef struct CellTerms {
-    const Simulation *sim;
-    int set; /* of the chosen one: 0 a particle, 1 a node */
-    size_t index;
-    Link links[LINKS_MAX];
-    size_t n_links;
-    size_t order[LINKS_MAX]; /* of links: the first ones are drawn */
-    size_t shown;
-    Flowing flows[PICTURE_ARROW_LINES];
-    int n_flows;
-    bool to_nodes;
-} CellTerms;
+/* Of one unit the stronger goes first; of what cannot be compared the one with the longer formula: mass
+ * with velocity before mass alone. */
+static bool is_before(const Flowing *flow, const Flowing *other)
+{
+    return strcmp(flow->unit, other->unit) == 0
+               ? flow->strongest > other->strongest
+               : strlen(flow->exchange->factors) > strlen(other->exchange->factors);
+}
 
 typedef struct CellView {
     const Screen *screen;
@@ -55,12 +53,22 @@ typedef struct CellView {
     bool line;  /* a bar */
     double grid,
         tall; /* of a bar: the row of its grid, and how high bars on it can be: more where nothing passes */
-    CellTerms terms;
+    int set;  /* of the chosen one: 0 a particle, 1 a node */
+    size_t index;
+    Link links[LINKS_MAX];
+    size_t n_links;
+    size_t order[LINKS_MAX]; /* of links: the first ones are drawn */
+    size_t shown;
+    Flowing flows[PICTURE_ARROW_LINES];
+    int n_flows;
+    bool to_nodes;
     bool masses; /* where the mass of the chosen node sits, not what the stage passes */
     bool has_row;
-    MassRow row; /* of the mass matrix */
-    bool meets;  /* contact acts in the stage */
-    long met;    /* the node whose contact is drawn; -1: none */
+    MassRow row; /* of the mass matrix, */
+    double row_sum;
+    Writing row_writing; /* and how it is written */
+    bool meets;          /* contact acts in the stage */
+    long met;            /* the node whose contact is drawn; -1: none */
     double low[2], high[2], spacing;
     int places[2];                                           /* fields of nodes: x, y */
     double *node_masses, *momenta, most_mass, most_momentum; /* of all nodes of a bar, in one block */
@@ -68,63 +76,49 @@ typedef struct CellView {
 
 /* --- the terms of a stage ---------------------------------------------------------------------------- */
 
-/* Of one unit the stronger goes first; of what cannot be compared the one with the longer formula. */
-static bool is_before(const CellTerms *terms, const Flowing *flow, const Flowing *other)
+/* The links of `set`, `index`, and what passes in the stage (NULL: nothing), strongest first; of more links
+ * than `most`, most - 1 are shown. */
+static void find_terms(CellView *view, const Stage *stage, size_t most)
 {
-    const Simulation *sim = terms->sim;
-    const Exchange *both[2] = {flow->exchange, other->exchange};
-    const char *units[2] = {"", ""};
-    double strength[2] = {0, 0};
-    for (int k = 0; k < 2; k++) {
-        const int field = simulation_find_field(sim, both[k]->to, both[k]->field);
-        units[k] = field >= 0 ? sim->fields[field].quantity.unit : "";
-        for (size_t i = 0; i < terms->n_links; i++)
-            strength[k] = fmax(strength[k], fabs((k ? other : flow)->terms[i]));
-    }
-    return strcmp(units[0], units[1]) == 0 ? strength[0] > strength[1]
-                                           : strlen(both[0]->factors) > strlen(both[1]->factors);
-}
-
-/* The links of `set`, `index`, which are in `terms` with `sim`, and what passes in the stage (NULL:
- * nothing), strongest first; of more links than `most`, most - 1 are shown. Of one unit the stronger exchange
- * comes first, of two that with more factors: mass with velocity before mass alone. */
-static void find_terms(CellTerms *terms, const Stage *stage, size_t most)
-{
-    const Simulation *sim = terms->sim;
-    const size_t count = sim->method->links(sim, terms->set, terms->index, terms->links, LINKS_MAX);
-    terms->n_links = count < LINKS_MAX ? count : LINKS_MAX;
-    for (int e = 0; stage && e < sim->n_exchanges && terms->n_flows < PICTURE_ARROW_LINES; e++) {
-        Flowing flow = {.exchange = &sim->exchanges[e]};
+    const Simulation *sim = view->sim;
+    const size_t count = sim->method->links(sim, view->set, view->index, view->links, LINKS_MAX);
+    view->n_links = count < LINKS_MAX ? count : LINKS_MAX;
+    for (int e = 0; stage && e < sim->n_exchanges && view->n_flows < PICTURE_ARROW_LINES; e++) {
+        Flowing flow = {.exchange = &sim->exchanges[e], .unit = ""};
+        const int field = simulation_find_field(sim, flow.exchange->to, flow.exchange->field);
         const bool of_stage = strcmp(flow.exchange->stage, stage->id) == 0;
         bool passes = false;
         double sum = 0;
-        for (size_t i = 0; i < terms->n_links && of_stage; i++) {
-            const ExchangeTerm term = simulation_exchange(sim, e, terms->index, &terms->links[i]);
+        for (size_t i = 0; i < view->n_links && of_stage; i++) {
+            const ExchangeTerm term = simulation_exchange(sim, e, view->index, &view->links[i]);
             flow.terms[i] = term.product;
             flow.last[i] = term.count > 0 ? term.factors[term.count - 1] : 0;
+            flow.strongest = fmax(flow.strongest, fabs(term.product));
             sum += term.product;
             passes |= term.count > 0;
         }
         if (!passes)
             continue;
+        if (field >= 0)
+            flow.unit = sim->fields[field].quantity.unit;
         /* all with the same last decimal: they are compared by eye, and add up as they stand */
-        flow.writing = writing_of(flow.terms, terms->n_links, 0, sum, TERM_WIDTH);
-        int at = terms->n_flows++;
-        for (; at > 0 && is_before(terms, &flow, &terms->flows[at - 1]); at--)
-            terms->flows[at] = terms->flows[at - 1];
-        terms->flows[at] = flow;
-        terms->to_nodes = flow.exchange->to == 1;
+        flow.writing = writing_of(flow.terms, view->n_links, 0, sum, TERM_WIDTH);
+        int at = view->n_flows++;
+        for (; at > 0 && is_before(&flow, &view->flows[at - 1]); at--)
+            view->flows[at] = view->flows[at - 1];
+        view->flows[at] = flow;
+        view->to_nodes = flow.exchange->to == 1;
     }
     /* the largest first: what finds no room is the smallest */
-    for (size_t i = 0; i < terms->n_links; i++) {
-        const double *by = terms->n_flows > 0 ? terms->flows[0].terms : NULL;
+    for (size_t i = 0; i < view->n_links; i++) {
+        const double *by = view->n_flows > 0 ? view->flows[0].terms : NULL;
         size_t at = i;
-        for (; at > 0 && by && fabs(by[terms->order[at - 1]]) < fabs(by[i]); at--)
-            terms->order[at] = terms->order[at - 1];
-        terms->order[at] = i;
+        for (; at > 0 && by && fabs(by[view->order[at - 1]]) < fabs(by[i]); at--)
+            view->order[at] = view->order[at - 1];
+        view->order[at] = i;
     }
     /* where they do not fit, one place is for what the others come to */
-    terms->shown = terms->n_links <= most ? terms->n_links : most - 1;
+    view->shown = view->n_links <= most ? view->n_links : most - 1;
 }
 
 /* A term as it is in a sum of such a writing. */
@@ -167,13 +161,13 @@ static void place_of(const CellView *view, int set, size_t index, double at[2])
 
 static bool is_own(const CellView *view, int set, size_t index)
 {
-    return set == view->terms.set && index == view->terms.index;
+    return set == view->set && index == view->index;
 }
 
 static bool is_link(const CellView *view, int set, size_t index)
 {
-    for (size_t i = 0; i < view->terms.n_links && set != view->terms.set; i++)
-        if (view->terms.links[i].index == index)
+    for (size_t i = 0; i < view->n_links && set != view->set; i++)
+        if (view->links[i].index == index)
             return true;
     return is_own(view, set, index);
 }
@@ -196,16 +190,16 @@ static void widen(CellView *view, int set, size_t index, double beside)
 /* From beyond the first to beyond the last link; beyond the ends of a bar's mesh there is nothing. */
 static void find_sides(CellView *view)
 {
-    const bool node = view->terms.set == 1;
+    const bool node = view->set == 1;
     double ends[2][2];
     place_of(view, 1, 0, ends[0]);
     place_of(view, 1, 1, ends[1]);
     view->spacing = ends[1][0] - ends[0][0];
     view->low[0] = view->low[1] = HUGE_VAL;
     view->high[0] = view->high[1] = -HUGE_VAL;
-    widen(view, view->terms.set, view->terms.index, node ? view->spacing : 0);
-    for (size_t i = 0; i < view->terms.n_links; i++)
-        widen(view, 1 - view->terms.set, view->terms.links[i].index, 0);
+    widen(view, view->set, view->index, node ? view->spacing : 0);
+    for (size_t i = 0; i < view->n_links; i++)
+        widen(view, 1 - view->set, view->links[i].index, 0);
     for (size_t k = 0; k < view->row.count && view->has_row; k++)
         if (view->row.masses[k] != 0)
             widen(view, 1, view->row.first + k, 0);
@@ -246,11 +240,10 @@ static long heaviest(const CellView *view, bool shared)
 {
     long most = -1;
     double weight = 0;
-    for (size_t i = 0; i < view->terms.n_links; i++)
-        if (view->terms.links[i].weight > weight &&
-            (!shared || other_at(view, view->terms.links[i].index) >= 0)) {
-            most = (long)view->terms.links[i].index;
-            weight = view->terms.links[i].weight;
+    for (size_t i = 0; i < view->n_links; i++)
+        if (view->links[i].weight > weight && (!shared || other_at(view, view->links[i].index) >= 0)) {
+            most = (long)view->links[i].index;
+            weight = view->links[i].weight;
         }
     return most;
 }
@@ -269,27 +262,30 @@ static bool look(CellView *view, const Screen *screen, bool masses)
                        .grid = masses ? 4.4 : 8.5,
                        .tall = masses ? 6.2 : 2.4,
                        .met = -1,
-                       .terms = {.sim = sim, .set = set, .index = chosen < count ? chosen : count - 1},
+                       .set = set,
+                       .index = chosen < count ? chosen : count - 1,
                        .places = {simulation_find_field(sim, 1, "x"), simulation_find_field(sim, 1, "y")}};
     view->stage = &sim->stages[screen_box_stage(screen, &view->done)];
     view->done &= !view->running;
     view->wiped = view->done && experiment_stage(screen->experiment) == 0;
-    find_terms(&view->terms, view->done && !masses ? view->stage : NULL,
-               view->line ? SHOWN_OF_LINE : SHOWN_OF_PLANE);
+    find_terms(view, view->done && !masses ? view->stage : NULL, view->line ? SHOWN_OF_LINE : SHOWN_OF_PLANE);
     const long most = masses && set == 0 ? heaviest(view, false) : -1;
     if (most >= 0) { /* of a particle the node that it gives most to */
-        view->terms.set = 1;
-        view->terms.index = (size_t)most;
-        find_terms(&view->terms, NULL, SHOWN_OF_LINE);
+        view->set = 1;
+        view->index = (size_t)most;
+        find_terms(view, NULL, SHOWN_OF_LINE);
     }
-    if (view->terms.set == 1 && view->terms.n_flows == 0 && view->done && !view->wiped)
-        view->has_row = inspector_mass_row(sim, 1, view->terms.index, &view->row);
-    const double own =
-        masses && view->terms.set == 1 ? simulation_named(sim, 1, "mass", view->terms.index) : 0;
+    if (view->set == 1 && view->n_flows == 0 && view->done && !view->wiped)
+        view->has_row = inspector_mass_row(sim, 1, view->index, &view->row);
+    const double own = masses && view->set == 1 ? simulation_named(sim, 1, "mass", view->index) : 0;
     if (masses && view->done && !view->wiped && !view->has_row && own > 0) { /* lumped: all is its own */
         view->has_row = true;
-        view->row = (MassRow){view->terms.index, 1, {own}};
+        view->row = (MassRow){view->index, 1, {own}};
     }
+    for (size_t k = 0; k < view->row.count; k++)
+        view->row_sum += view->row.masses[k];
+    if (view->has_row)
+        view->row_writing = writing_of(view->row.masses, view->row.count, 0, view->row_sum, TERM_WIDTH);
     find_sides(view);
     view->meets = view->done && simulation_has(sim, HAS_BODIES) && strncmp(view->stage->id, "fix", 3) == 0;
     if (view->meets)
@@ -305,32 +301,9 @@ static bool look(CellView *view, const Screen *screen, bool masses)
 
 /* --- nodes ----------------------------------------------------------------------------------------- */
 
-/* Whether a stage names a field among those that it writes, or reads. */
-static bool names(const char *words, const char *name)
-{
-    char word[64];
-    while (text_next_word(&words, word, sizeof word))
-        if (strcmp(word, name) == 0)
-            return true;
-    return false;
-}
-
 static bool writes(const CellView *view, const char *name)
 {
-    return view->done && !view->wiped && names(view->stage->writes, name);
-}
-
-static double sum_of_row(const CellView *view)
-{
-    double sum = 0;
-    for (size_t k = 0; k < view->row.count; k++)
-        sum += view->row.masses[k];
-    return sum;
-}
-
-static Writing writing_of_row(const CellView *view)
-{
-    return writing_of(view->row.masses, view->row.count, 0, sum_of_row(view), TERM_WIDTH);
+    return view->done && !view->wiped && text_has_word(view->stage->writes, name);
 }
 
 /* What a node has to do with the stage: its share, what the stage writes of it or what it gives in it. */
@@ -342,30 +315,29 @@ static void node_numbers(const CellView *view, size_t node, char *out, size_t si
                   {"momentum", "px", "px"}, {"momentum", "py", "py"},
                   {"f", "f", "f"},          {"f", "fx", "fx"},
                   {"f", "fy", "fy"}};
-    const bool made = view->terms.n_flows > 0; /* again, by terms that are seen */
+    const bool made = view->n_flows > 0; /* again, by terms that are seen */
     const bool over = view->done && view->stage == &view->sim->stages[view->sim->n_stages - 1];
     if (is_in_row(view, node)) {
         const double mass = view->row.masses[node - view->row.first];
-        text_append(out, size, "\nM %s", term_text(mass, writing_of_row(view)).text);
+        text_append(out, size, "\nM %s", term_text(mass, view->row_writing).text);
         if (!view->masses)
             add_value(view->screen, 1, node, "velocity", "v", false, out, size);
     }
-    if (view->masses || (is_in_row(view, node) && node != view->terms.index))
+    if (view->masses || (is_in_row(view, node) && node != view->index))
         return;
-    for (size_t i = 0; i < view->terms.n_links && view->terms.set == 0 && !view->running; i++)
-        if (view->terms.links[i].index == node && (view->line ? !view->done : !over && !view->meets))
-            text_append(out, size, "\nN %s", text_fitted(view->terms.links[i].weight, 5, 9).text);
+    for (size_t i = 0; i < view->n_links && view->set == 0 && !view->running; i++)
+        if (view->links[i].index == node && (view->line ? !view->done : !over && !view->meets))
+            text_append(out, size, "\nN %s", text_fitted(view->links[i].weight, 5, 9).text);
     for (size_t k = 0; k < sizeof values / sizeof *values && !view->meets; k++)
         if (writes(view, values[k].written))
             add_value(view->screen, 1, node, values[k].field, values[k].label, !made, out, size);
     /* The velocity by which a node gives, of a bar; each once. */
-    const CellTerms *terms = &view->terms;
-    for (int f = 0; f < terms->n_flows && !terms->to_nodes && view->line; f++) {
-        const char *factor = text_last_word(terms->flows[f].exchange->factors);
-        bool told = f > 0 && strcmp(factor, text_last_word(terms->flows[0].exchange->factors)) == 0;
-        for (size_t i = 0; i < terms->n_links && !told; i++)
-            if (terms->set ? node == terms->index : terms->links[i].index == node) {
-                text_append(out, size, "\n%s %s", factor, text_fitted(terms->flows[f].last[i], 5, 10).text);
+    for (int f = 0; f < view->n_flows && !view->to_nodes && view->line; f++) {
+        const char *factor = text_last_word(view->flows[f].exchange->factors);
+        bool told = f > 0 && strcmp(factor, text_last_word(view->flows[0].exchange->factors)) == 0;
+        for (size_t i = 0; i < view->n_links && !told; i++)
+            if (view->set ? node == view->index : view->links[i].index == node) {
+                text_append(out, size, "\n%s %s", factor, text_fitted(view->flows[f].last[i], 5, 10).text);
                 told = true;
             }
     }
@@ -382,13 +354,13 @@ static Style style_of_momenta(const CellView *view)
 }
 
 /* A bar of so much of its band at the left of the node, from so many spacings on; words are at the right. */
-static void add_bar(const CellView *view, Picture *picture, double x, double from, double share,
-                    PictureKey key)
+static void add_bar(const CellView *view, Picture *picture, double x, double from, double share, char letter,
+                    Style style, int fill)
 {
     if (share > 1e-6)
         picture_box(picture, (double[]){x + from * view->spacing, x + (from + 0.04) * view->spacing},
                     (double[]){view->grid, view->grid + share * view->tall},
-                    (Pen){LINE_SOLID, key.ascii, key.style, RANK_BAND, key.fill});
+                    (Pen){LINE_SOLID, letter, style, RANK_BAND, fill});
 }
 
 /* What a node of a bar has: its support, its mass (of a row what it shares with the chosen one) and momentum,
@@ -398,10 +370,11 @@ static void add_bars(const CellView *view, Picture *picture, size_t node, double
     const double mass = is_in_row(view, node) ? view->row.masses[node - view->row.first]
                         : view->masses        ? 0
                                               : view->node_masses[node];
-    const char *vector = !view->done || view->wiped                                          ? NULL
-                         : names(view->stage->writes, "f") || names(view->stage->reads, "f") ? "f"
-                         : names(view->stage->reads, "velocity")                             ? "velocity"
-                                                                                             : NULL;
+    const char *vector = !view->done || view->wiped ? NULL
+                         : text_has_word(view->stage->writes, "f") || text_has_word(view->stage->reads, "f")
+                             ? "f"
+                         : text_has_word(view->stage->reads, "velocity") ? "velocity"
+                                                                         : NULL;
     const int field = vector && !view->masses ? simulation_find_field(view->sim, 1, vector) : -1;
     double most = 0;
     if (simulation_named(view->sim, 1, "fixed", node) > 0) {
@@ -409,11 +382,11 @@ static void add_bars(const CellView *view, Picture *picture, size_t node, double
         picture_box(picture, (double[]){x + side * view->spacing, x + (side + 0.06) * view->spacing},
                     (double[]){0.5, view->grid}, (Pen){LINE_SOLID, '%', STYLE_FRAME, RANK_BAND, 1});
     }
-    add_bar(view, picture, x, -0.11, view->most_mass > 0 ? mass / view->most_mass : 0,
-            (PictureKey){.ascii = 'm', .style = style_of_masses(view)});
+    add_bar(view, picture, x, -0.11, view->most_mass > 0 ? mass / view->most_mass : 0, 'm',
+            style_of_masses(view), 0);
     if (view->most_momentum > 0 && !view->masses)
-        add_bar(view, picture, x, -0.06, fabs(view->momenta[node]) / view->most_momentum,
-                (PictureKey){.ascii = 'p', .style = style_of_momenta(view), .fill = 1});
+        add_bar(view, picture, x, -0.06, fabs(view->momenta[node]) / view->most_momentum, 'p',
+                style_of_momenta(view), 1);
     for (size_t i = 0; field >= 0 && i < view->sim->counts[1]; i++)
         most = fmax(most, fabs(simulation_value(view->sim, field, i)));
     const double share = most > 0 ? simulation_value(view->sim, field, node) / most : 0;
@@ -494,7 +467,7 @@ static void add_node(const CellView *view, Picture *picture, size_t node)
     const Style there = experiment_stage(view->screen->experiment) > 0 ? STYLE_NORMAL : STYLE_FAINT;
     double at[2], beside[2];
     place_of(view, 1, node, at);
-    place_of(view, view->terms.set, view->terms.index, beside);
+    place_of(view, view->set, view->index, beside);
     const Style words = own ? STYLE_SELECTED : linked ? STYLE_NORMAL : STYLE_FAINT;
     PictureLabel *label = picture_label(picture, at[0], line ? NUMBER_ROW : at[1],
                                         !line && at[0] < beside[0] ? -1 : 1, words, "%zu", node);
@@ -523,7 +496,6 @@ static void add_node(const CellView *view, Picture *picture, size_t node)
 static void add_particle(const CellView *view, Picture *picture, size_t particle)
 {
     const bool own = is_own(view, 0, particle), linked = is_link(view, 0, particle);
-    const CellTerms *terms = &view->terms;
     double at[2];
     place_of(view, 0, particle, at);
     const Style style = own ? STYLE_CHANGED
@@ -531,7 +503,7 @@ static void add_particle(const CellView *view, Picture *picture, size_t particle
                             ? picture_kind_style((int)simulation_named(view->sim, 0, "body", particle))
                         : linked ? STYLE_MEASURED
                                  : STYLE_FAINT;
-    picture_thing(picture, at[0], at[1], own || (linked && terms->set) ? 0x25cf : 0x25cb, style,
+    picture_thing(picture, at[0], at[1], own || (linked && view->set) ? 0x25cf : 0x25cb, style,
                   (PictureThing){0, particle});
     if (!own && view->meets)
         return;
@@ -539,25 +511,23 @@ static void add_particle(const CellView *view, Picture *picture, size_t particle
     PictureLabel *label = picture_label(picture, at[0], at[1], 1, words, "%zu", particle);
     label->spare = !own && !(view->line && linked);
     label->thing = "particle";
-    if (own && view->line && (terms->to_nodes || terms->n_flows == 0))
+    if (own && view->line && (view->to_nodes || view->n_flows == 0))
         add_value(view->screen, 0, particle, "x", "x", false, label->text, sizeof label->text);
-    for (int f = 0; f < terms->n_flows && own && !terms->to_nodes; f++) {
-        const char *field = terms->flows[f].exchange->field;
+    for (int f = 0; f < view->n_flows && own && !view->to_nodes; f++) {
+        const char *field = view->flows[f].exchange->field;
         const int index = simulation_find_field(view->sim, 0, field);
         if (index >= 0)
             add_value(view->screen, 0, particle, field, view->sim->fields[index].quantity.label,
-                      view->line || terms->flows[f].exchange->adds, label->text, sizeof label->text);
+                      view->line || view->flows[f].exchange->adds, label->text, sizeof label->text);
     }
 }
 
 /* The way that the stage passes something, with the terms of the strongest; between steps to all links. */
 static void add_arrow(const CellView *view, Picture *picture, size_t rank)
 {
-    const CellTerms *terms = &view->terms;
-    const size_t link = terms->order[rank], other = terms->links[link].index;
-    const size_t particle = terms->set ? other : terms->index, node = terms->set ? terms->index : other;
-    const bool taken = terms->n_flows > 0 && !terms->to_nodes,
-               named = terms->n_flows > 0 && rank < terms->shown;
+    const size_t link = view->order[rank], other = view->links[link].index;
+    const size_t particle = view->set ? other : view->index, node = view->set ? view->index : other;
+    const bool taken = view->n_flows > 0 && !view->to_nodes, named = view->n_flows > 0 && rank < view->shown;
     PictureArrow arrow = {.style = named ? STYLE_CHANGED : STYLE_FAINT};
     double ends[2][2];
     place_of(view, 0, particle, ends[taken]);
@@ -569,15 +539,15 @@ static void add_arrow(const CellView *view, Picture *picture, size_t rank)
         arrow.to[d] = ends[1][d] - ENDS * (ends[1][d] - ends[0][d]);
     }
     /* nearer to the other end, where arrows are apart; in the plane beside it */
-    arrow.place = (terms->set == 0) == terms->to_nodes ? 0.62 : 0.38;
+    arrow.place = (view->set == 0) == view->to_nodes ? 0.62 : 0.38;
     if (named) {
-        const char *giver = terms->to_nodes ? "particle" : "node",
-                   *taker = terms->to_nodes ? "node" : "particle";
+        const char *giver = view->to_nodes ? "particle" : "node",
+                   *taker = view->to_nodes ? "node" : "particle";
         snprintf(arrow.told, sizeof arrow.told, "%s %zu gives to %s %zu", giver,
-                 terms->to_nodes ? particle : node, taker, terms->to_nodes ? node : particle);
+                 view->to_nodes ? particle : node, taker, view->to_nodes ? node : particle);
     }
-    for (int f = 0; f < terms->n_flows && named; f++) {
-        const Flowing *flow = &terms->flows[f];
+    for (int f = 0; f < view->n_flows && named; f++) {
+        const Flowing *flow = &view->flows[f];
         char words[32];
         strcpy(arrow.brief[f], term_text(flow->terms[link], flow->writing).text);
         snprintf(arrow.text[f], sizeof arrow.text[f], "%s %.20s", flow->exchange->factors, arrow.brief[f]);
@@ -586,8 +556,8 @@ static void add_arrow(const CellView *view, Picture *picture, size_t rank)
     }
     if (named && !view->line) {
         double own[2];
-        place_of(view, 1 - terms->set, other, arrow.at);
-        place_of(view, terms->set, terms->index, own);
+        place_of(view, 1 - view->set, other, arrow.at);
+        place_of(view, view->set, view->index, own);
         arrow.side = arrow.at[0] < own[0] ? 1 : -1;
         if (picture_is_low(picture))
             arrow.text[1][0] = '\0';
@@ -599,15 +569,15 @@ static void add_arrow(const CellView *view, Picture *picture, size_t rank)
 static void add_row(const CellView *view, Picture *picture)
 {
     double terms[2 * MASSES_BESIDE_MAX + 1], sum = 0, own[2], at[2];
-    place_of(view, 1, view->terms.index, own);
+    place_of(view, 1, view->index, own);
     for (size_t k = 0; k < view->row.count; k++)
         sum += terms[k] =
             view->row.masses[k] * simulation_named(view->sim, 1, "velocity", view->row.first + k);
     const Writing writing = writing_of(terms, view->row.count, 0, sum, TERM_WIDTH);
     for (size_t k = 0; k < view->row.count; k++) {
         const size_t node = view->row.first + k;
-        const double apart = fabs((double)node - (double)view->terms.index), y = view->grid - 1 - 1.2 * apart;
-        const double aside = apart > 0 ? (node < view->terms.index ? -0.06 : 0.06) * view->spacing : 0;
+        const double apart = fabs((double)node - (double)view->index), y = view->grid - 1 - 1.2 * apart;
+        const double aside = apart > 0 ? (node < view->index ? -0.06 : 0.06) * view->spacing : 0;
         place_of(view, 1, node, at);
         PictureArrow arrow = {.style = STYLE_CHANGED,
                               .from = {at[0], apart > 0 ? y : DOTS_ROW + 1},
@@ -616,7 +586,7 @@ static void add_row(const CellView *view, Picture *picture)
         strcpy(arrow.brief[0], term_text(terms[k], writing).text);
         snprintf(arrow.text[0], sizeof arrow.text[0], "M v %.20s", arrow.brief[0]);
         snprintf(arrow.told, sizeof arrow.told, "node %zu brings M v = %.20s into node %zu", node,
-                 arrow.brief[0], view->terms.index);
+                 arrow.brief[0], view->index);
         picture_arrow(picture, &arrow);
     }
 }
@@ -624,18 +594,18 @@ static void add_row(const CellView *view, Picture *picture)
 /* "0.1875 + 0.625 + 0.1875 = 1" */
 static void tell_row(const CellView *view, Picture *picture)
 {
-    const NumberText sum = text_fitted(sum_of_row(view), 5, 10);
+    const NumberText sum = text_fitted(view->row_sum, 5, 10);
     double at[2];
-    place_of(view, 1, view->terms.index, at);
+    place_of(view, 1, view->index, at);
     char text[sizeof picture->labels[0].text] = "";
     if (view->row.count == 1)
         snprintf(text, sizeof text, "lumped: all of %s\nis the node's own", sum.text);
-    else
+    else {
         for (size_t k = 0; k < view->row.count; k++)
             text_append(text, sizeof text, "%s%s", k ? " + " : "",
-                        term_text(view->row.masses[k], writing_of_row(view)).text);
-    if (view->row.count > 1)
+                        term_text(view->row.masses[k], view->row_writing).text);
         text_append(text, sizeof text, " = %s", sum.text);
+    }
     picture_label(picture, at[0], 3.2, 0, STYLE_CHANGED, "%s", text);
 }
 
@@ -644,11 +614,10 @@ static void tell_row(const CellView *view, Picture *picture)
 static void name_of(const CellView *view, char out[PICTURE_TEXT_MAX])
 {
     const Simulation *sim = view->sim;
-    const CellTerms *terms = &view->terms;
-    const double cell = simulation_named(sim, terms->set, "cell", terms->index);
-    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[terms->set].name, terms->index);
-    if (terms->n_flows > 0 && !view->line) /* numbers of a plane have no words of their own */
-        text_append(out, PICTURE_TEXT_MAX, ", %s", terms->flows[0].exchange->factors);
+    const double cell = simulation_named(sim, view->set, "cell", view->index);
+    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[view->set].name, view->index);
+    if (view->n_flows > 0 && !view->line) /* numbers of a plane have no words of their own */
+        text_append(out, PICTURE_TEXT_MAX, ", %s", view->flows[0].exchange->factors);
     if (view->masses)
         text_append(out, PICTURE_TEXT_MAX,
                     view->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
@@ -657,7 +626,7 @@ static void name_of(const CellView *view, char out[PICTURE_TEXT_MAX])
                     (int)(view->stage - sim->stages) + 1, view->stage->name);
     if (simulation_has(sim, HAS_BODIES))
         text_append(out, PICTURE_TEXT_MAX, ", of %s",
-                    name_of_body(view, simulation_named(sim, terms->set, "body", terms->index)));
+                    name_of_body(view, simulation_named(sim, view->set, "body", view->index)));
     if (!view->line && isfinite(cell))
         text_append(out, PICTURE_TEXT_MAX, ", in cell %.0f", cell);
 }
@@ -691,7 +660,7 @@ static void add_sums(const CellView *view, Picture *picture)
     add_spare(picture, text);
     if (!view->done || !sim->method->explain)
         return;
-    sim->method->explain(sim, (int)(view->stage - sim->stages), view->terms.set, view->terms.index,
+    sim->method->explain(sim, (int)(view->stage - sim->stages), view->set, view->index,
                          experiment_before(view->screen->experiment), picture->columns / 16, sums,
                          sizeof sums);
     int lines = 0;
@@ -705,9 +674,9 @@ static const char *note_of(const CellView *view)
 {
     const bool over = view->stage == &view->sim->stages[view->sim->n_stages - 1];
     return view->line || view->running ? NULL
-           : view->terms.n_links == 0
-               ? (view->terms.set ? "no particle is near: this node is empty" : "this particle sees no nodes")
-           : !view->done || view->terms.n_flows > 0 ? NULL
+           : view->n_links == 0
+               ? (view->set ? "no particle is near: this node is empty" : "this particle sees no nodes")
+           : !view->done || view->n_flows > 0 ? NULL
            : over
                ? LONG_SHORT("the step is over: the particles are where it has moved them", "the step is over")
            : view->met >= 0
@@ -725,7 +694,7 @@ static const char *note_of(const CellView *view)
 static void add_things(const CellView *view, Picture *picture)
 {
     double at[2];
-    (view->terms.set ? add_node : add_particle)(view, picture, view->terms.index);
+    (view->set ? add_node : add_particle)(view, picture, view->index);
     for (int linked = 1; linked >= 0; linked--)
         for (int set = 1; set >= 0; set--)
             for (size_t i = 0; i < view->sim->counts[set]; i++) {
@@ -733,7 +702,7 @@ static void add_things(const CellView *view, Picture *picture)
                 const bool in_sight = at[0] > view->low[0] && at[0] < view->high[0] && at[1] > view->low[1] &&
                                       at[1] < view->high[1];
                 const bool left_out =
-                    !view->line && !linked && (set || (view->terms.n_flows > 0 && picture_is_low(picture)));
+                    !view->line && !linked && (set || (view->n_flows > 0 && picture_is_low(picture)));
                 if (in_sight && !is_own(view, set, i) && is_link(view, set, i) == linked && !left_out)
                     (set ? add_node : add_particle)(view, picture, i);
             }
@@ -741,7 +710,6 @@ static void add_things(const CellView *view, Picture *picture)
 
 static void describe_mesh(const CellView *view, Picture *picture)
 {
-    const CellTerms *terms = &view->terms;
     const RowList *bodies = &experiment_settings(view->screen->experiment)->rows[ROWS_BODIES];
     char name[PICTURE_TEXT_MAX], rest[sizeof picture->labels[0].text] = "";
     name_of(view, name);
@@ -753,18 +721,18 @@ static void describe_mesh(const CellView *view, Picture *picture)
         picture_line(picture, view->low[0], view->grid, view->high[0], view->grid,
                      (Pen){LINE_SOLID, '-', STYLE_FRAME, RANK_GHOST, 0});
     add_things(view, picture);
-    for (size_t rank = 0; rank < (view->line ? terms->shown : terms->n_links); rank++)
-        if (terms->n_flows > 0 || (!view->done && !view->running && !view->masses))
+    for (size_t rank = 0; rank < (view->line ? view->shown : view->n_links); rank++)
+        if (view->n_flows > 0 || (!view->done && !view->running && !view->masses))
             add_arrow(view, picture, rank);
     /* The weaker ones, each exchange as one number: "5 more: m v N 0.01, m N 0.2". */
-    for (int f = 0; f < terms->n_flows && terms->shown < terms->n_links; f++) {
+    for (int f = 0; f < view->n_flows && view->shown < view->n_links; f++) {
         double sum = 0;
-        for (size_t i = terms->shown; i < terms->n_links; i++)
-            sum += terms->flows[f].terms[terms->order[i]];
+        for (size_t i = view->shown; i < view->n_links; i++)
+            sum += view->flows[f].terms[view->order[i]];
         if (f == 0)
-            text_append(rest, sizeof rest, "%zu more: ", terms->n_links - terms->shown);
-        text_append(rest, sizeof rest, "%s%s %s", f ? ", " : "", terms->flows[f].exchange->factors,
-                    term_text(sum, terms->flows[f].writing).text);
+            text_append(rest, sizeof rest, "%zu more: ", view->n_links - view->shown);
+        text_append(rest, sizeof rest, "%s%s %s", f ? ", " : "", view->flows[f].exchange->factors,
+                    term_text(sum, view->flows[f].writing).text);
     }
     if (rest[0])
         picture_label(picture, view->low[0], (view->low[1] + view->high[1]) / 2, 1, STYLE_CHANGED, "%s",

@@ -18,7 +18,6 @@ typedef struct Layer {
     const char *name;
     int column, minus, less; /* its height: column - minus - less */
     Style style;
-    int fill;
 } Layer;
 
 typedef struct Stack {
@@ -43,10 +42,8 @@ static double stack_height(const Stack *stack, size_t index, int upto)
 static void add_layer(const Screen *screen, Stack *stack, const char *name, const char *column, Style style)
 {
     const int at = experiment_column(screen->experiment, column);
-    if (at >= 0) {
-        stack->layers[stack->count] = (Layer){name, at, -1, -1, style, stack->count};
-        stack->count++;
-    }
+    if (at >= 0)
+        stack->layers[stack->count++] = (Layer){name, at, -1, -1, style};
 }
 
 /* The kinetic energy of the beam moving on as a whole, 1/2 m v0^2; 0: it does not. That of the vibration is a
@@ -161,9 +158,8 @@ static void add_bands(Picture *picture, const Stack *stack, double period, bool 
     const bool every_row = !means && last - begin < (size_t)dots && is_fine(picture);
     const double newest = record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
     for (int layer = 0; layer < stack->count; layer++) {
-        const Layer *drawn = &stack->layers[layer];
-        plot_begin(plot, STROKE_BAND,
-                   (Pen){LINE_SOLID, "#+.:"[layer & 3], drawn -> style, RANK_BAND, drawn -> fill});
+        const Style style = stack->layers[layer].style;
+        plot_begin(plot, STROKE_BAND, (Pen){LINE_SOLID, "#+.:"[layer & 3], style, RANK_BAND, layer});
         for (size_t k = begin; every_row && k <= last && k < record->count; k++)
             for (int edge = 0; edge < 2; edge++)
                 plot_point(plot, record_row(record, k)[1], stack_height(stack, k, layer + edge));
@@ -283,7 +279,7 @@ static void add_keys(Picture *picture, const Stack *stack, const ShownRun *runs,
     }
     for (int i = 0; i < stack->count; i++)
         picture_key(picture, (PictureKey){LINE_SOLID, '#', stack->layers[i].style, stack->layers[i].name,
-                                          SIGN_BAND, stack->layers[i].fill});
+                                          SIGN_BAND, i});
     if (work)
         picture_name(picture, pen_predicted, "work");
     runs_add_keys(picture, runs, n_runs);

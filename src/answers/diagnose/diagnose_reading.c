@@ -132,22 +132,13 @@ static size_t nth_point(size_t n, size_t count)
     return k < middle ? k : k + 1; /* count - 2 of them are left */
 }
 
-/* Whether a name may be one of a field's: "v" of the v of a particle. */
-static bool may_be(const char *kinds, const char *field)
-{
-    char word[OVERLAY_NAME_MAX];
-    while (text_next_word(&kinds, word, sizeof word))
-        if (strcmp(word, field) == 0)
-            return true;
-    return false;
-}
-
 /* A velocity may be that of a node: mapped, or after the force. */
 static bool find_nodes(const DiagnoseTable *table, const DiagnoseColumn *column, Simulation *sim,
                        Sources *out)
 {
     bool sound = true;
-    for (int f = 0; f < sim->n_fields && f < FIELDS_MAX && table->set < 0 && may_be(column->kinds, "v"); f++)
+    for (int f = 0;
+         f < sim->n_fields && f < FIELDS_MAX && table->set < 0 && text_has_word(column->kinds, "v"); f++)
         if (sim->sets[sim->fields[f].set].ready_after > 0 &&
             (strcmp(sim->fields[f].quantity.name, "velocity") == 0 ||
              strcmp(sim->fields[f].quantity.name, "velocity_new") == 0))
@@ -162,7 +153,7 @@ static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *colum
     const bool of_series = table->set < 0;
     const int masses = simulation_find_field(sim, 0, "mass");
     double mass = 0; /* a column of momentum over it is v_cm */
-    if (of_series && (may_be(column->kinds, "v_cm") || strcmp(column->name, "v_cm") == 0))
+    if (of_series && (text_has_word(column->kinds, "v_cm") || strcmp(column->name, "v_cm") == 0))
         for (size_t k = 0; masses >= 0 && k < sim->counts[0]; k++)
             mass += simulation_value(sim, masses, k);
     const int own = of_series ? simulation_find_series(sim, column->name)
@@ -171,11 +162,11 @@ static bool find_sources(const DiagnoseTable *table, const DiagnoseColumn *colum
     if (own >= 0)
         sound = add_source(out, of_series ? sim->n_fields + own : own, 0, column->own ? 0 : mass);
     for (int i = 0; i < sim->n_series && of_series && sound; i++)
-        if (i != own && may_be(column->kinds, sim->series[i].name))
+        if (i != own && text_has_word(column->kinds, sim->series[i].name))
             sound = add_source(out, sim->n_fields + i, 0, mass);
     for (int f = 0; f < sim->n_fields && f < FIELDS_MAX && sound; f++) {
         const Field *field = &sim->fields[f];
-        if (field->set != (of_series ? 0 : table->set) || !may_be(column->kinds, field->quantity.name))
+        if (field->set != (of_series ? 0 : table->set) || !text_has_word(column->kinds, field->quantity.name))
             continue;
         if (!of_series)
             sound = f == own || add_source(out, f, 0, 0);
@@ -837,7 +828,8 @@ int diagnose_readings(const Search *search, bool deep, DiagnoseReading out[READI
                            ? FINE
                            : TOLERANCE;
         const bool of_bar = !diagnose_is_of_plane(search->task->settings);
-        const int ways = 1 + (of_bar && begun.as.n_columns == 1 && may_be(begun.as.columns[0].kinds, "v"));
+        const int ways =
+            1 + (of_bar && begun.as.n_columns == 1 && text_has_word(begun.as.columns[0].kinds, "v"));
         bool sound = true;
         for (int way = 0; way < ways && sound && !found; way++) {
             trials->nodes = way > 0;
