@@ -76,11 +76,7 @@ void pane_stage(const Screen *, Area);
 void pane_view(const View *, const Screen *, Area, bool focused);
 void pane_view_variant(const View *, const Screen *, Area, Style heading, int variant);
 void pane_inspector(const Screen *, Area);
-void pane_duel(const Screen *, Area); /* the readout of a duel, in place of the box */
-/* A table of the runs in one picture, on top of the box. Returns its rows; 0: there are too few runs, or it
- * has no room. */
-int pane_runs(const Screen *, Area);
-int pane_runs_rows(const Screen *); /* how many it would like */
+int pane_runs_rows(const Screen *); /* that a table of the runs in one picture takes; 0: there is none */
 void help_draw(const Screen *, Area);
 
 /* A text under edit in its field, with the cursor of the terminal. */

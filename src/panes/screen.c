@@ -64,34 +64,20 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
 {
     if (area.rect.width < 1 || area.rect.height < 1)
         return;
-    switch (pane) {
-    case PANE_PARAMETERS:
-        if (screen->lesson->open)
-            pane_lesson(screen, area);
-        else if (screen_is_plain(screen) &&
-                 (area.rect.width < area.canvas->width || area.rect.height <= pane_asked_rows(screen)))
-            pane_asked(screen, area);
-        else
-            pane_parameters(screen, area);
-        break;
-    case PANE_MESH:
-        pane_view(&view_strip, screen, area, screen_is_focused(screen, pane));
-        break;
-    case PANE_UPPER:
-        pane_view(screen->views.upper, screen, area, screen_is_focused(screen, pane));
-        break;
-    case PANE_LOWER:
-        pane_view(screen->views.lower, screen, area, screen_is_focused(screen, pane));
-        break;
-    case PANE_BOX:
+    if (pane == PANE_BOX)
         pane_box(screen, area);
-        break;
-    case PANE_INSPECTOR:
+    else if (pane == PANE_INSPECTOR)
         pane_inspector(screen, area);
-        break;
-    case PANE_COUNT:
-        break;
-    }
+    else if (pane != PANE_PARAMETERS)
+        pane_view(pane == PANE_MESH ? &view_strip : screen_view_in(screen, pane), screen, area,
+                  screen_is_focused(screen, pane));
+    else if (screen->lesson->open)
+        pane_lesson(screen, area);
+    else if (screen_is_plain(screen) &&
+             (area.rect.width < area.canvas->width || area.rect.height <= pane_asked_rows(screen)))
+        pane_asked(screen, area);
+    else
+        pane_parameters(screen, area);
 }
 
 void screen_draw(const Screen *screen, Canvas *canvas)

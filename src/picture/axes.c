@@ -189,6 +189,11 @@ static double axis_length(const Axis *axis)
     return axis_place(axis, axis->high) - axis_place(axis, axis->low);
 }
 
+double axis_share(const Axis *axis, double value)
+{
+    return (axis_place(axis, value) - axis_place(axis, axis->low)) / axis_length(axis);
+}
+
 double axis_enlargement(double reach, double room)
 {
     if (!(reach > 0))
@@ -284,7 +289,7 @@ void axis_name(const char *name, const char *scale, char *out, size_t size)
 int axis_column(const Axis *axis, double value, int cells)
 {
     ASSERT_INT(cells, >=, 0);
-    double place = (axis_place(axis, value) - axis_place(axis, axis->low)) / axis_length(axis) * cells;
+    double place = axis_share(axis, value) * cells;
     if (!(place >= -1e-9 * cells) || !(place <= cells * (1 + 1e-9)))
         return -1;
     int column = (int)floor(place + 1e-9);
@@ -374,11 +379,4 @@ Area axes_draw(Area area, const Axis *x, const Axis *y, const char *x_name, int 
     }
     area_text_right(area, area.rect.width, rows, x_name, STYLE_FAINT);
     return inner;
-}
-
-void axes_rule(Area inner, const Axis *x, double at_x, Style style)
-{
-    const int column = axis_column(x, at_x, inner.rect.width);
-    for (int row = 0; column >= 0 && row < inner.rect.height; row++)
-        area_put(inner, column, row, 0x2502, style);
 }

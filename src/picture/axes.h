@@ -72,6 +72,7 @@ void axis_name(const char *name, const char *scale, char *out, size_t size);
 
 /* Where a value stands, in a measure that is even along the axis: the value, its root, its logarithm. */
 double axis_place(const Axis *, double value);
+double axis_share(const Axis *, double value); /* of the axis; 0 at its low end */
 
 /* The column and row of a value within `cells` cells; -1 if it is outside. */
 int axis_column(const Axis *, double value, int cells);

@@ -8,11 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static double share_of(const Axis *axis, double value)
-{
-    return (value - axis->low) / (axis->high - axis->low);
-}
-
 static double snapped(const Places *places, double place)
 {
     return places->whole ? floor(place) : place;
@@ -22,13 +17,13 @@ static double snapped(const Places *places, double place)
 double places_across(const Places *places, const Picture *picture, double x)
 {
     const int column = places->whole ? axis_column(&picture->plot.x, x, (int)places->width) : -1;
-    return column >= 0 ? column : snapped(places, share_of(&picture->plot.x, x) * places->width);
+    return column >= 0 ? column : snapped(places, axis_share(&picture->plot.x, x) * places->width);
 }
 
 double places_down(const Places *places, const Picture *picture, double y)
 {
     const int row = places->whole ? axis_row(&picture->plot.y, y, (int)places->height) : -1;
-    return row >= 0 ? row : snapped(places, (1 - share_of(&picture->plot.y, y)) * places->height);
+    return row >= 0 ? row : snapped(places, (1 - axis_share(&picture->plot.y, y)) * places->height);
 }
 
 static bool is_free(const Places *places, double left, double top, double right, double bottom)

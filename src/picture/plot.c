@@ -226,8 +226,7 @@ typedef struct Place {
 static Place place_at(const Plot *plot, const Raster *raster, double at_x, double at_y)
 {
     double width = raster->columns * raster->across, height = raster->rows * raster->down;
-    const double left = axis_place(&plot->x, plot->x.low), right = axis_place(&plot->x, plot->x.high);
-    double x = (axis_place(&plot->x, at_x) - left) / (right - left) * width;
+    double x = axis_share(&plot->x, at_x) * width;
     const double top = axis_place(&plot->y, plot->y.high), bottom = axis_place(&plot->y, plot->y.low);
     double y = (top - axis_place(&plot->y, at_y)) / (top - bottom) * (height - 1) + 0.5;
     /* the right end belongs to the last dot; rounding must not lose what lies on an edge */
@@ -369,13 +368,12 @@ void plot_draw(const Plot *plot, Area area)
 
 const char *plot_key(LineStyle line, char letter, Glyphs glyphs)
 {
-    static const char *const keys[] = {[LINE_SOLID] = "⠒⠒", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
-    static const char *const blocks[] = {[LINE_SOLID] = "▄▄", [LINE_DOTTED] = "··", [LINE_DASHED] = "--"};
     static const char letters[][3] = {"**", "..", "--", "oo", "xx", ",,", "::", "##", "++"};
-    if (glyphs == GLYPHS_BLOCK)
-        return blocks[line];
-    if (glyphs == GLYPHS_BRAILLE)
-        return keys[line];
+    if (glyphs < GLYPHS_ASCII)
+        return line == LINE_DOTTED        ? "··"
+               : line == LINE_DASHED      ? "--"
+               : glyphs == GLYPHS_BRAILLE ? "⠒⠒"
+                                          : "▄▄";
     for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
         if (letters[i][0] == letter)
             return letters[i];

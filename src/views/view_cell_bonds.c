@@ -122,35 +122,29 @@ static void describe_bond(const NearBonds *bonds, const Stage *stage, Picture *p
 
 /* --- a family --------------------------------------------------------------------------------------- */
 
-/* The body around the node, its bonds' other ends as dots, those that are written out with their letters. */
-static void add_family(const NearBonds *bonds, Picture *picture, size_t shown)
-{
-    double reach = bonds->sim->spacing;
-    for (size_t k = 0; k < bonds->count; k++)
-        for (int d = 0; d < 2; d++)
-            reach = fmax(reach, fabs(bonds->links[k].apart[d]));
-    const double across = 0.13 / reach, up = 5 / reach, x = 0.16, y = 6;
-    for (size_t k = 0; k < bonds->count; k++) {
-        const Link *link = &bonds->links[k];
-        picture_thing(picture, x + across * link->apart[0], y + up * link->apart[1],
-                      k < shown      ? (uint32_t)('a' + k)
-                      : link->broken ? 'x'
-                                     : 0x00b7,
-                      k < shown ? STYLE_CHANGED : STYLE_FAINT, (PictureThing){0, link->index});
-    }
-    picture_mark(picture, x, y, 0x25cf, STYLE_MEASURED);
-}
-
 static void describe_family(const NearBonds *bonds, Picture *picture)
 {
     const size_t shown = bonds->whole < SHOWN_MAX ? bonds->whole : SHOWN_MAX;
     const bool line = simulation_has(bonds->sim, HAS_LINE);
     char name[96];
-    double rest[2] = {0, 0};
+    double rest[2] = {0, 0}, reach = bonds->sim->spacing;
     snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
              bonds->count, bonds->count - bonds->whole, bonds->unit);
     open_drawing(picture, 0, 1, name);
-    add_family(bonds, picture, shown);
+    /* The body around the node, its bonds' other ends as dots, those that are written out with their letters.
+     */
+    for (size_t k = 0; k < bonds->count; k++)
+        for (int d = 0; d < 2; d++)
+            reach = fmax(reach, fabs(bonds->links[k].apart[d]));
+    for (size_t k = 0; k < bonds->count; k++) {
+        const Link *link = &bonds->links[k];
+        picture_thing(picture, 0.16 + 0.13 / reach * link->apart[0], 6 + 5 / reach * link->apart[1],
+                      k < shown      ? (uint32_t)('a' + k)
+                      : link->broken ? 'x'
+                                     : 0x00b7,
+                      k < shown ? STYLE_CHANGED : STYLE_FAINT, (PictureThing){0, link->index});
+    }
+    picture_mark(picture, 0.16, 6, 0x25cf, STYLE_MEASURED);
     const double most = shown > 0 ? fabs(link_pull(&bonds->links[0])) : 0;
     for (size_t k = 0; k < shown; k++) {
         /* A row for a bond, its bar as long as the pull is strong, towards the right if it pulls. */

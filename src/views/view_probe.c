@@ -12,39 +12,32 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The columns that can be in the probe view: what is measured, without energies. What a beam that breaks is
- * looked at for comes first; where bonds never break there is nothing to count. */
-static int probe_columns(const Screen *screen, int out[COLUMNS_MAX])
+/* The column of a variant: what is measured, without energies. What a beam that breaks is looked at for comes
+ * first, then a crack's pictures, of which *picture says which it is, -1: a column; where bonds never break
+ * there is nothing to count. */
+static int probe_column(const Screen *screen, int variant, int *picture)
 {
     static const char *const energies[] = {"kinetic", "kinetic_grid", "strain",    "work",     "dissipated",
                                            "damped",  "total",        "potential", "friction", NULL};
-    int n, count = 0;
+    int n, count = 0, found[COLUMNS_MAX];
     const Column *columns = experiment_columns(screen->experiment, &n);
-    const bool cracks = crack_variants(screen) > 0;
-    const bool breaks = screen_has(screen, HAS_BREAKING);
+    const int pictures = crack_variants(screen);
+    const bool cracks = pictures > 0, breaks = screen_has(screen, HAS_BREAKING);
     const int broken = experiment_column(screen->experiment, "broken_bonds"),
               speed = experiment_column(screen->experiment, "crack_speed");
     if (cracks && broken >= 0)
-        out[count++] = broken;
+        found[count++] = broken;
     for (int i = 2; i < n; i++) {
         const bool has_picture =
             cracks && (i == broken || i == speed); /* the first one, and one of a crack's */
         if (columns[i].kind == COLUMN_MEASURED && columns[i].of < 0 && !has_picture &&
             text_place_in(columns[i].quantity.name, energies) < 0 && (i != broken || breaks))
-            out[count++] = i;
+            found[count++] = i;
     }
-    return count;
-}
-
-/* The column of a variant; a crack's pictures follow the first one: *picture says which, -1: a column. */
-static int probe_column(const Screen *screen, int variant, int *picture)
-{
-    int columns[COLUMNS_MAX];
-    const int count = probe_columns(screen, columns), pictures = crack_variants(screen);
     *picture = variant > 0 && variant <= pictures ? variant - 1 : -1;
     if (variant > pictures)
         variant -= pictures;
-    return variant < count ? columns[variant] : -1;
+    return variant < count ? found[variant] : -1;
 }
 
 static const char *word_of(const Screen *screen, int variant)

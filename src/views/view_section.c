@@ -194,33 +194,14 @@ static void section_line(const Section *section, char out[160])
         append_quantity(out, "  columns apart", apart(section), of->unit);
 }
 
-/* --- the picture ------------------------------------------------------------------------------------- */
-
-static void add_strokes(const Section *section, Plot *plot, bool theory)
-{
-    const double bottom = section->body.low[1], height = section->body.size[1];
-    const double time = experiment_time(section->screen->experiment);
-    const bool straight = !section->of->resultant;
-    if (theory) {
-        enum { PIECES = 48 };
-        const double slope = straight ? slope_of(section) : 0;
-        plot_begin(plot, STROKE_LINE, pen_exact);
-        for (int i = 0; i <= PIECES; i++) {
-            const double y = bottom + height * i / PIECES, up = y - section->middle;
-            plot_point(plot, straight ? -up * slope : theory_at(section, up, time), y);
-        }
-    }
-    for (size_t c = 0; c < section->columns && section->columns > 1; c++) {
-        plot_begin(plot, STROKE_LINE, pen_second);
-        for (size_t j = 0; j < section->rows; j++)
-            plot_point(plot, section->values[c][j], section->y[j]);
-    }
-    plot_begin(plot, STROKE_LINE, pen_measured);
-    for (size_t j = 0; j < section->rows; j++)
-        plot_point(plot, section->mean[j], section->y[j]);
-}
-
 /* --- the view ---------------------------------------------------------------------------------------- */
+
+static void add_curve(const Section *section, const double *values, Pen pen, Plot *plot)
+{
+    plot_begin(plot, STROKE_LINE, pen);
+    for (size_t j = 0; j < section->rows; j++)
+        plot_point(plot, values[j], section->y[j]);
+}
 
 /* Those whose field there is, one after the other; NULL: no more. */
 static const SectionPart *part_of(const Screen *screen, int variant)
@@ -243,7 +224,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const SectionPart *part = part_of(screen, variant);
     Section section = {.y = NULL};
     if (part && screen_has(screen, HAS_PLANE) && take_section(&section, screen, part)) {
-        const SectionPart *of = section.of;
         const bool theory = screen_shows_exact(screen) && screen_problem(screen)->concerns & CONCERN_BEAM;
         const bool several = section.columns > 1;
         const double bottom = section.body.low[1];
@@ -262,14 +242,26 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         for (int i = 0; i <= TIMES && section.known; i++)
             for (int k = 0; k <= HEIGHTS; k++)
                 reach = fmax(reach, fabs(theory_at(&section, section.body.size[1] * k / 4, end * i / TIMES)));
-        picture_axes(picture, axis_symmetric(reach), of->field, of->unit,
-                     axis_make(bottom, bottom + section.body.size[1]), of->name, "m");
+        picture_axes(picture, axis_symmetric(reach), part->field, part->unit,
+                     axis_make(bottom, bottom + section.body.size[1]), part->name, "m");
         picture_name(picture, pen_measured, several ? "mean" : "measured");
         if (several)
             picture_name(picture, pen_second, "columns");
         if (theory)
-            picture_name(picture, pen_exact, section.known || !of->resultant ? of->theory : of->own);
-        add_strokes(&section, &picture->plot, theory);
+            picture_name(picture, pen_exact, section.known || !part->resultant ? part->theory : part->own);
+        if (theory) {
+            enum { PIECES = 48 };
+            const double slope = part->resultant ? 0 : slope_of(&section);
+            const double time = experiment_time(screen->experiment);
+            plot_begin(&picture->plot, STROKE_LINE, pen_exact);
+            for (int i = 0; i <= PIECES; i++) {
+                const double y = bottom + section.body.size[1] * i / PIECES, up = y - section.middle;
+                plot_point(&picture->plot, part->resultant ? theory_at(&section, up, time) : -up * slope, y);
+            }
+        }
+        for (size_t c = 0; c < section.columns && several; c++)
+            add_curve(&section, section.values[c], pen_second, &picture->plot);
+        add_curve(&section, section.mean, pen_measured, &picture->plot);
         section_line(&section, line);
         picture_note(picture, STYLE_NORMAL, "%s", line);
     } else

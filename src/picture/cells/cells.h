@@ -37,9 +37,6 @@ Rect cells_below(const Picture *, Rect rect);
  * of x in the last row, `x_name` at its end. Returns the part that is left for the curves. */
 Area axes_draw(Area, const Axis *x, const Axis *y, const char *x_name, int gutter);
 
-/* A vertical line across the plot, in the part that axes_draw() left. */
-void axes_rule(Area inner, const Axis *x, double at_x, Style);
-
 /* Draws all strokes into an area that axes_draw() left. */
 void plot_draw(const Plot *, Area);
 /* Adds a mark of the plot that was drawn last to what its canvas describes (canvas_vector()). */
@@ -49,9 +46,6 @@ void plot_describe_mark(const Plot *, Area, double x, double y, uint32_t glyph, 
 
 void cells_map(const Picture *, Area, Style heading, int colours);
 void cells_map_body(const Picture *, Area, int colours); /* without words around it */
-
-/* One that is drawn with its dimensions: places in whole columns, and rows above 0. */
-void cells_drawing(const Picture *, Area, Style heading);
 
 /* In cells a factor is a letter: the sign for it is wide in some fonts. `out` has room for the text. */
 void cells_plain_factors(const char *text, char *out);

@@ -237,16 +237,21 @@ static void write_in(const TableSheet *sheet, int column, int row, const char *t
         area_text(*area, column, row, text, style);
 }
 
-/* In full with a hint if there is room, else in short; a hint at a part out of sight comes first. */
-static void draw_heading(const Picture *picture, Area area, Style style)
+void cells_tables(const Picture *picture, Area area, Style heading)
 {
+    Area inner = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
+    const TableSheet sheet = {inner.rect.width, inner.rect.height, area.glyphs, .write = write_in,
+                              .back_end = &inner};
+    tables_write(picture, &sheet);
+    /* The heading in full with a hint if there is room, else in short; a hint at a part out of sight comes
+     * first. */
     const bool parted = tables_are_parted(picture, area.rect.width);
     const char *const headings[] = {picture->heading, picture->brief};
     for (int i = 0; i < 2; i++) {
         const int begin = 5 + glyphs_columns(headings[i]);
         if (!headings[i][0])
             return;
-        area_rule(area, headings[i], style);
+        area_rule(area, headings[i], heading);
         for (int k = 0; k < 2; k++) {
             const char *hint = parted ? picture->turn_hint : picture->hints[k];
             if (hint[0] && write_hint(area, begin, area.rect.width - 1, hint))
@@ -255,15 +260,6 @@ static void draw_heading(const Picture *picture, Area area, Style style)
         if (!parted && begin <= area.rect.width)
             return;
     }
-}
-
-void cells_tables(const Picture *picture, Area area, Style heading)
-{
-    Area inner = area_part(area, 0, 1, area.rect.width, area.rect.height - 1);
-    const TableSheet sheet = {inner.rect.width, inner.rect.height, area.glyphs, .write = write_in,
-                              .back_end = &inner};
-    draw_heading(picture, area, heading);
-    tables_write(picture, &sheet);
 }
 
 /* --- places ------------------------------------------------------------------------------------------ */
@@ -428,7 +424,7 @@ int cells_heading_draw(Area area, Style heading, const char *name, const char *s
         const char *title = name;
         for (int i = 0; i < pass && i < CLOSE; i++)
             title = legend_short_name(title);
-        snprintf(text, sizeof text, "%s%s%s", title, !scale[0] ? "" : scale[0] == 'x' ? " " : ", ", scale);
+        axis_name(title, scale, text, sizeof text);
         x = 4 + glyphs_columns(text) + 1;
         gap = pass >= CLOSE ? 1 : GAP_MOST;
         const int room = area.rect.width - x;

@@ -389,24 +389,15 @@ static bool is_blank(Area area, int x, int y, int width)
 
 /* --- words ------------------------------------------------------------------------------------------ */
 
-/* A piece of a line, by the letter that it is drawn with where there are no dots. */
-static const char *piece_of(const PictureKey *key, Glyphs glyphs)
-{
-    static const struct {
-        char letter;
-        const char *dots, *letters;
-    } pieces[] = {
-        {'*', "⠔⠊", "**"}, {'"', "⠡⠊", "\"\""}, {'\'', "⠠⠂", "''"}, {'|', "⢸ ", "| "}, {'~', "⠒⠂", "~~"}};
-    for (size_t i = 0; i < sizeof pieces / sizeof *pieces; i++)
-        if (pieces[i].letter == key->ascii)
-            return glyphs == GLYPHS_BRAILLE ? pieces[i].dots : pieces[i].letters;
-    return NULL;
-}
-
 /* What the lines are, beside the body or in a row of their own. Of earlier runs one stands for all. */
 static void name_lines(const Sheet *sheet)
 {
     enum { TALL = 12, LEAST = 4 };
+    static const struct {
+        char letter; /* that the line is drawn with where there are no dots */
+        const char *dots, *letters;
+    } pieces[] = {
+        {'*', "⠔⠊", "**"}, {'"', "⠡⠊", "\"\""}, {'\'', "⠠⠂", "''"}, {'|', "⢸ ", "| "}, {'~', "⠒⠂", "~~"}};
     const Picture *picture = sheet->picture;
     const Area area = sheet->area;
     Legend lines[PICTURE_KEYS_MAX];
@@ -418,8 +409,11 @@ static void name_lines(const Sheet *sheet)
         if (run && before)
             continue;
         before |= run;
-        const char *name = run ? "crack before" : legend_short_name(key->name);
-        lines[count++] = (Legend){key->line, key->ascii, key->style, name, piece_of(key, area.glyphs), 0};
+        const char *name = run ? "crack before" : legend_short_name(key->name), *piece = NULL;
+        for (size_t k = 0; k < sizeof pieces / sizeof *pieces; k++)
+            if (pieces[k].letter == key->ascii)
+                piece = area.glyphs == GLYPHS_BRAILLE ? pieces[k].dots : pieces[k].letters;
+        lines[count++] = (Legend){key->line, key->ascii, key->style, name, piece, 0};
     }
     const int rows = count > LEAST ? count : LEAST;
     if (count == 0 || sheet->map->is_near)
@@ -457,22 +451,6 @@ static int draw_half_ramp(const PictureMap *map, Area area, bool coloured, int x
     return x;
 }
 
-/* "● left  ● right", each as its body is drawn, as far as they have room. */
-static void name_kinds(const PictureMap *map, Area area, int colours, int y)
-{
-    const bool told = area.glyphs == GLYPHS_BRAILLE ? colours >= 8 : is_coloured(area, colours);
-    int x = 1;
-    for (int i = 0; i < map->kinds; i++) {
-        const int columns = 5 + glyphs_columns(map->kind_names[i]);
-        if (x + columns > area.rect.width)
-            return;
-        const uint32_t sign = told ? 0x25cf : letter_of(map, area.glyphs, i);
-        area_put(area, x, y, sign, picture_kind_style(i));
-        area_text(area, x + 2, y, map->kind_names[i], STYLE_NORMAL);
-        x += columns;
-    }
-}
-
 /* "-4 [ramp] 0 [ramp] 4 µm", and what there is to say of the picture, which of lines and bars seen from near
  * must be said in any case. In a narrow pane the ramp is shorter, then without its middle: the last number
  * without its power of ten would be another one. */
@@ -480,11 +458,19 @@ static void draw_scale(const Picture *picture, Area area, int colours, int y)
 {
     enum { SHORTEST = 2 };
     const PictureMap *map = picture->map;
-    if (map->kinds) {
-        name_kinds(map, area, colours, y);
-        return;
-    }
     const bool coloured = is_coloured(area, colours);
+    /* "● left  ● right", each as its body is drawn, as far as they have room. */
+    const bool told = area.glyphs == GLYPHS_BRAILLE ? colours >= 8 : coloured;
+    for (int i = 0, at = 1; i < map->kinds; i++) {
+        const int columns = 5 + glyphs_columns(map->kind_names[i]);
+        if (at + columns > area.rect.width)
+            return;
+        area_put(area, at, y, told ? 0x25cf : letter_of(map, area.glyphs, i), picture_kind_style(i));
+        area_text(area, at + 2, y, map->kind_names[i], STYLE_NORMAL);
+        at += columns;
+    }
+    if (map->kinds)
+        return;
     const PictureNote *note = &picture->notes[1];
     Axis axis = axis_with_ticks(axis_make(map->low, map->high), 5);
     const double ends[3] = {map->low, (map->low + map->high) / 2, map->high};
@@ -525,21 +511,6 @@ static void draw_scale(const Picture *picture, Area area, int colours, int y)
     const char *said = x + glyphs_columns(note->text) >= area.rect.width ? note->brief : note->text;
     if (x + glyphs_columns(said) < area.rect.width)
         area_text_right(area, area.rect.width - 1, y, said, note->style);
-}
-
-static void put_marks(const Sheet *sheet)
-{
-    for (size_t i = 0; i < sheet->picture->n_marks; i++) {
-        const PictureMark *mark = &sheet->picture->marks[i];
-        double column, row;
-        mark_place(sheet, mark, &column, &row);
-        if (!is_inside(sheet, column, row))
-            continue;
-        area_put(sheet->area, (int)column, (int)row,
-                 mark->kind == MARK_BAR ? area_bar(sheet->area, mark->share) : mark->glyph, mark->style);
-        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
-            canvas_mark(sheet->area.canvas, column, row, mark->glyph, mark->style);
-    }
 }
 
 static void put_labels(const Sheet *sheet)
@@ -602,7 +573,17 @@ void cells_map_body(const Picture *picture, Area area, int colours)
     show_crossings(&sheet);
     if (picture->map->is_near)
         draw_dots(&sheet);
-    put_marks(&sheet);
+    for (size_t i = 0; i < picture->n_marks; i++) {
+        const PictureMark *mark = &picture->marks[i];
+        double column, row;
+        mark_place(&sheet, mark, &column, &row);
+        if (!is_inside(&sheet, column, row))
+            continue;
+        area_put(area, (int)column, (int)row,
+                 mark->kind == MARK_BAR ? area_bar(area, mark->share) : mark->glyph, mark->style);
+        if (mark->kind == MARK_PLACE || mark->kind == MARK_CHOSEN)
+            canvas_mark(area.canvas, column, row, mark->glyph, mark->style);
+    }
     draw_arrows(&sheet, true);
     put_labels(&sheet);
     name_lines(&sheet);

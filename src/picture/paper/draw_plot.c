@@ -38,20 +38,14 @@ typedef struct Frame {
 
 /* --- places ---------------------------------------------------------------------------------------- */
 
-static double share_of(const Axis *axis, double value)
-{
-    const double low = axis_place(axis, axis->low), high = axis_place(axis, axis->high);
-    return (axis_place(axis, value) - low) / (high - low);
-}
-
 static double x_of(const Frame *frame, double value)
 {
-    return frame->box.x + share_of(&frame->picture->plot.x, value) * frame->box.width;
+    return frame->box.x + axis_share(&frame->picture->plot.x, value) * frame->box.width;
 }
 
 static double y_of(const Frame *frame, double value)
 {
-    return frame->box.y + (1 - share_of(&frame->picture->plot.y, value)) * frame->box.height;
+    return frame->box.y + (1 - axis_share(&frame->picture->plot.y, value)) * frame->box.height;
 }
 
 static double range_of(const Axis *axis)

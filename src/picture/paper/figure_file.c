@@ -78,15 +78,17 @@ static double draw_all_notes(Paper *paper, const Picture *picture, bool alone, B
 }
 
 /* A picture with what stands above and below it, of which the height is returned; without paper that is only
- * measured. `alone`: with a legend of its own. */
-static double draw_panel(Paper *paper, const FigurePanel *panel, Box box, bool alone)
+ * measured. `alone`: with a legend of its own. A bare one has its axes and, beside others, its time. */
+static double draw_panel(Paper *paper, const Figure *figure, int index, Box box, bool alone)
 {
     const Type caption = {.size = SIZE_WORDS, .bold = true};
+    const FigurePanel *panel = figure->panels[index];
     const Picture *picture = &panel->picture;
-    const double title = panel->caption[0] ? LINE_HEIGHT * SIZE_WORDS : 0;
+    const bool titled = figure->bare ? figure->count > 1 : panel->caption[0];
+    const double title = titled ? LINE_HEIGHT * SIZE_WORDS : 0;
     const double legend = alone && picture->n_keys > 0 ? draw_legend_rows(NULL, picture, box) + 2 : 0;
     const double bar = alone ? draw_heat_bar(NULL, picture, box) : 0;
-    double notes = draw_all_notes(NULL, picture, alone, box);
+    double notes = figure->bare ? 0 : draw_all_notes(NULL, picture, alone, box);
     notes += notes > 0 ? 4 : 0;
     const double around = title + legend + bar + notes;
     if (!paper)
@@ -101,7 +103,8 @@ static double draw_panel(Paper *paper, const FigurePanel *panel, Box box, bool a
     draw_plot(paper, picture, box);
     if (bar > 0)
         draw_heat_bar(paper, picture, (Box){box.x, box.y + box.height, box.width, bar});
-    draw_all_notes(paper, picture, alone, (Box){box.x, box.y + box.height + bar + 4, box.width, notes});
+    if (notes > 0)
+        draw_all_notes(paper, picture, alone, (Box){box.x, box.y + box.height + bar + 4, box.width, notes});
     return around;
 }
 
@@ -123,27 +126,18 @@ static double usual_height(const Figure *figure, int panels)
     return (panels == 1 ? 0.56 : 0.5) * panel_width(figure, panels);
 }
 
-static double plot_height(const Figure *figure)
-{
-    double height = 0;
-    for (int i = 0; i < figure->count; i++)
-        height =
-            fmax(height, draw_plot_height(&figure->panels[i]->picture, panel_width(figure, figure->count)));
-    return height > 0 ? height : usual_height(figure, figure->count);
-}
-
 /* Draws the page, or measures it if there is no paper: its height follows from what is on it. */
 static double lay_out(Paper *paper, const Figure *figure, double height)
 {
-    const bool bare = figure->bare; /* pictures alone, each with its axes and, beside others, its time */
+    const bool bare = figure->bare;
     const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
     const double wide = panel_width(figure, figure->count), width = figure->width * MILLIMETRES - 2 * MARGIN;
     const double margin = bare ? BARE_MARGIN : MARGIN;
-    const double caption = figure->count > 1 ? LINE_HEIGHT * SIZE_WORDS : 0; /* of a bare one */
     const Picture *common = bare ? NULL : common_of(figure);
-    const Type title = {.size = SIZE_TITLE, .bold = true}, words = {.size = SIZE_WORDS, .bold = true};
+    const bool alone = !bare && !common;
+    const Type title = {.size = SIZE_TITLE, .bold = true};
     const Box whole = {MARGIN, MARGIN, width, 0};
-    double y = margin, around = bare ? caption : 0;
+    double y = margin, around = 0, high = 0;
     if (!bare)
         y += draw_phrases(paper, figure->title, whole, &title) + (figure->title[0] ? 3 : 0);
     if (common) {
@@ -152,21 +146,17 @@ static double lay_out(Paper *paper, const Figure *figure, double height)
         y += draw_notes(paper, common, true, (Box){MARGIN, y, width, 0}) + 4;
     }
     const double foot = bare ? 0 : draw_phrases(NULL, figure->parameters, whole, &small) + 6;
-    for (int i = 0; i < figure->count && !bare; i++)
-        around = fmax(around, draw_panel(NULL, figure->panels[i], (Box){0, 0, wide, 0}, !common));
-    double high = plot_height(figure) + around;
+    for (int i = 0; i < figure->count; i++) {
+        around = fmax(around, draw_panel(NULL, figure, i, (Box){0, 0, wide, 0}, alone));
+        high = fmax(high, draw_plot_height(&figure->panels[i]->picture, wide));
+    }
+    high = (high > 0 ? high : usual_height(figure, figure->count)) + around;
     if (height > 0)
         high = (height - y - foot - margin - (rows - 1) * MARGIN) / rows;
     for (int i = 0; i < figure->count && paper; i++) {
-        const FigurePanel *panel = figure->panels[i];
         const Box box = {margin + i % columns * (wide + MARGIN), y + i / columns * (high + MARGIN), wide,
                          high};
-        if (bare && caption > 0)
-            draw_words(paper, box.x, box.y + SIZE_WORDS, panel->caption, &words);
-        if (bare)
-            draw_plot(paper, &panel->picture, (Box){box.x, box.y + caption, wide, high - caption});
-        else
-            draw_panel(paper, panel, box, !common);
+        draw_panel(paper, figure, i, box, alone);
     }
     y += rows * high + (rows - 1) * MARGIN + (bare ? 0 : 6);
     if (!bare)

@@ -37,12 +37,11 @@ static void add_totals(const Simulation *sim, size_t node, const char *const *fi
                                                        just_bonds || just_load ? changed : plain};
 }
 
-static void describe_sum(const Screen *screen, size_t node, const Link *links, size_t count,
+static void describe_sum(const Simulation *sim, size_t node, const Link *links, size_t count,
                          PictureTable *table)
 {
     static const char *const names[] = {"ξ", "stretch s", "c G w V", "force on it"};
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
-    const Simulation *sim = screen_simulation(screen);
     const double load = sim->method->load_on(sim, node, 0);
     table->count = count;
     table->n_columns = COLUMNS;
@@ -91,7 +90,7 @@ static void describe(const Screen *screen, Picture *picture)
                  "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
     PictureTable *table = picture_table(picture);
     if (table)
-        describe_sum(screen, node, links, count, table);
+        describe_sum(sim, node, links, count, table);
 }
 
 static void move_on(Screen *screen, int x, int y, int page)
@@ -221,15 +220,14 @@ static const char *why_it_holds(const Family *family, const Link *link)
     return "breaks in the next stage of bond forces";
 }
 
-/* --- the forces --------------------------------------------------------------------------------------- */
+/* --- the forces, by the side on which they pull ------------------------------------------------------- */
 
 static void describe_forces(const Family *family, PictureTable *table)
 {
     static const char *const sides[] = {"bonds to the left", "bonds up and down", "bonds to the right"};
     static const char *const names[] = {"fx", "fy"};
     const Simulation *sim = family->sim;
-    const double loads[] = {sim->method->load_on(sim, family->node, 0),
-                            sim->method->load_on(sim, family->node, 1)};
+    double loads[2];
     table->what = "forces on it, N/m³";
     table->count = sizeof sides / sizeof *sides;
     table->n_columns = 2;
@@ -237,6 +235,7 @@ static void describe_forces(const Family *family, PictureTable *table)
         snprintf(table->rows[i].name, sizeof table->rows[i].name, "%s", sides[i]);
     for (int d = 0; d < 2; d++) {
         TableColumn *column = &table->columns[d];
+        loads[d] = sim->method->load_on(sim, family->node, d);
         *column = (TableColumn){.adds = true};
         snprintf(column->name, sizeof column->name, "%s", names[d]);
         for (const Link *link = family->links; link < family->links + family->count; link++)

@@ -32,21 +32,17 @@ static const Colouring colourings[MAP_COLOURINGS] = {
 static const Colouring beside_travel = {"ux", "ux - v0 t", "displacement along the beam beside v0 t",
                                         "m",  true,        NULL};
 
-static bool is_there(const Simulation *sim, int variant)
-{
-    const bool of_bodies = variant >= MAP_SPEED && variant < MAP_COLOURINGS;
-    if (of_bodies && !simulation_has(sim, HAS_BODIES))
-        return false;
-    return (variant == MAP_DRAWING && simulation_has(sim, HAS_PLANE)) ||
-           (variant != MAP_DRAWING && simulation_find_field(sim, 0, colourings[variant].field) >= 0);
-}
-
 MapVariant map_variant(const Simulation *sim, int number)
 {
     int variant = 0;
-    for (; variant < MAP_VARIANTS; variant++)
-        if (is_there(sim, variant) && number-- == 0)
+    for (; variant < MAP_VARIANTS; variant++) {
+        const bool is_there = variant == MAP_DRAWING
+                                  ? simulation_has(sim, HAS_PLANE)
+                                  : (variant < MAP_SPEED || simulation_has(sim, HAS_BODIES)) &&
+                                        simulation_find_field(sim, 0, colourings[variant].field) >= 0;
+        if (is_there && number-- == 0)
             break;
+    }
     return (MapVariant)variant;
 }
 
