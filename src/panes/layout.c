@@ -32,6 +32,20 @@ enum {
 
 #define TALL_SHARE 0.2 /* height over length */
 
+int pane_runs_rows(const Screen *screen)
+{
+    enum { LEAST = 2 }; /* earlier runs: of one the legend has all */
+    const Ghost *ghosts = experiment_ghosts(screen->experiment);
+    int kept = 0, all = 0;
+    for (int i = 0; i < GHOSTS_MAX; i++) {
+        all += ghosts[i].used;
+        kept += ghosts[i].used && ghosts[i].pinned;
+    }
+    if (kept < LEAST || screen_second_run(screen) || !experiment_readout(screen->experiment)->moving)
+        return 0;
+    return 1 + all + 1;
+}
+
 /* A caption is short; a stage, a summary and a table of runs are not. */
 static bool layout_has_caption(const Screen *screen)
 {

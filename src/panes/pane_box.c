@@ -311,20 +311,6 @@ static void draw_duel(const Screen *screen, Area area)
 
 enum { NAME_COLUMNS = 26, VALUE_COLUMNS = 12 };
 
-int pane_runs_rows(const Screen *screen)
-{
-    enum { LEAST = 2 }; /* earlier runs: of one the legend has all */
-    const Ghost *ghosts = experiment_ghosts(screen->experiment);
-    int kept = 0, all = 0;
-    for (int i = 0; i < GHOSTS_MAX; i++) {
-        all += ghosts[i].used;
-        kept += ghosts[i].used && ghosts[i].pinned;
-    }
-    if (kept < LEAST || screen_second_run(screen) || !experiment_readout(screen->experiment)->moving)
-        return 0;
-    return 1 + all + 1;
-}
-
 /* On top of the box. Returns its rows; 0: there are too few runs, or it has no room. */
 static int draw_runs(const Screen *screen, Area area)
 {
