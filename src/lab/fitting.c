@@ -117,23 +117,6 @@ static bool wait_for_it(double share, void *context)
     return laboratory_work(waiting->lab, "trying other codes, %ld so far   ^C stops", waiting->found->tried);
 }
 
-/* Their curve in the place of what lay over the plots. */
-static void lay_over(Laboratory *lab, DiagnoseTable *table)
-{
-    Overlay theirs;
-    if (!diagnose_overlay(table, &theirs))
-        return;
-    const char *curve = view_time_curve(&lab->screen);
-    if (!overlay_choose(&theirs, "time", NULL, curve, "", NULL) &&
-        !overlay_choose(&theirs, "time", table->as.columns[0].name, curve, "", NULL)) {
-        overlay_close(&theirs);
-        return;
-    }
-    overlay_close(&lab->overlay);
-    lab->overlay = theirs;
-    lab->screen.overlay = &lab->overlay;
-}
-
 bool fitting_diagnose(Laboratory *lab, const char *words, Status *status)
 {
     char path[NAME_MAX_BYTES];
@@ -157,7 +140,17 @@ bool fitting_diagnose(Laboratory *lab, const char *words, Status *status)
                              : status_refuse(status, "a file is expected: diagnose FILE.csv");
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
-        lay_over(lab, table);
+        /* Their curve in the place of what lay over the plots. */
+        const char *curve = view_time_curve(&lab->screen);
+        Overlay theirs;
+        const bool any = diagnose_overlay(table, &theirs);
+        if (any && (overlay_choose(&theirs, "time", NULL, curve, "", NULL) ||
+                    overlay_choose(&theirs, "time", table->as.columns[0].name, curve, "", NULL))) {
+            overlay_close(&lab->overlay);
+            lab->overlay = theirs;
+            lab->screen.overlay = &lab->overlay;
+        } else if (any)
+            overlay_close(&theirs);
         if (!screen_shows_diagnosis(&lab->screen, lab->width, lab->height))
             laboratory_tell(lab, "%s", lab->diagnosis);
     }

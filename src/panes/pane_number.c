@@ -55,16 +55,6 @@ int pane_number_rows(const Screen *screen, int width, int height)
     return digit_rows(size_of(screen, width, height)) + 1;
 }
 
-static int common(const char *one, const char *other)
-{
-    int same = 0;
-    while (one[same] && one[same] == other[same])
-        same++;
-    while (same > 0 && one[same - 1] != ' ') /* whole words */
-        same--;
-    return same;
-}
-
 bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char words[NUMBER_WORDS_MAX])
 {
     const RunNumber *number = run_number_about(screen_settings(screen));
@@ -76,8 +66,11 @@ bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char wo
     if (hidden || !isfinite(value)) {
         /* of what may turn out one way or the other the words that both have: what is too long or short has
          * an error */
-        const int same =
-            number->opposite ? common(number->label, number->opposite) : (int)strlen(number->label);
+        int same = (int)strlen(number->label);
+        for (int i = 0; number->opposite && i < same; i++)
+            same = number->label[i] == number->opposite[i] ? same : i;
+        while (number->opposite && same > 0 && number->label[same - 1] != ' ') /* whole words */
+            same--;
         strcpy(digits, hidden ? "?" : "...");
         snprintf(words, NUMBER_WORDS_MAX, "%s%s%.*s", number->unit, gap, same, number->label);
         char *end = strstr(words, " too ");

@@ -35,20 +35,6 @@ static void method_words_of(const Screen *screen, char *out, size_t size)
     text_append(out, size, "%s%s", mistake ? " with " : "", mistake ? mistake : "");
 }
 
-/* "mu 0.5" where masses are not lumped; of a duel the runs' names say what differs. */
-static void blend_words_of(const Screen *screen, char *out, size_t size)
-{
-    const Settings *settings = screen_settings(screen);
-    const Parameter *blend = parameter_find("mpm.mass_blend");
-    char value[LIST_MAX];
-    out[0] = '\0';
-    if (screen_second_run(screen) || !blend || !parameter_applies_to(settings, blend) ||
-        settings_transfer(settings)->mass_blend == blend->neutral)
-        return;
-    settings_spell(settings, blend, value);
-    snprintf(out, size, " mu %s", value);
-}
-
 static void pace_text(double pace, char *out, size_t size)
 {
     if (pace > 2.0 / 3 || pace <= 0) /* from here on the other form would say x1/1 */
@@ -122,9 +108,16 @@ typedef struct Title {
 /* False: so much has no room, or would hide where the run stands. */
 static bool fill_title(const Screen *screen, const TitleForm *form, int width, Title *title)
 {
-    char time[48], words[2 * DUEL_NAME_MAX + 8], blend[LIST_MAX + 4];
+    char time[48], words[2 * DUEL_NAME_MAX + 8], blend[LIST_MAX + 4] = "", value[LIST_MAX];
+    const Settings *settings = screen_settings(screen);
     method_words_of(screen, words, sizeof words);
-    blend_words_of(screen, blend, sizeof blend);
+    /* "mu 0.5" where masses are not lumped; of a duel the runs' names say what differs */
+    const Parameter *mixed = parameter_find("mpm.mass_blend");
+    if (!screen_second_run(screen) && mixed && parameter_applies_to(settings, mixed) &&
+        settings_transfer(settings)->mass_blend != mixed->neutral) {
+        settings_spell(settings, mixed, value);
+        snprintf(blend, sizeof blend, " mu %s", value);
+    }
     const char *name = screen->scenario ? screen->scenario : "", *slash = strrchr(name, '/');
     name = slash && slash[1] ? slash + 1 : name;
     const Simulation *sim = screen_simulation(screen);
@@ -146,7 +139,6 @@ static bool fill_title(const Screen *screen, const TitleForm *form, int width, T
     title->has_headline = form->headline;
     screen_shorter_time(screen, form->fewer, time, sizeof time);
     /* a page that sets something to a value of the student's own no longer shows what the scenario asks */
-    const Settings *settings = screen_settings(screen);
     const LessonShown *shown = screen->lesson;
     bool own = false;
     for (int v = 0; shown->lesson && v < shown->lesson->n_variants; v++)

@@ -49,26 +49,6 @@ static void find_existing(const Duel *duel, const char *name, char found[PATH_BY
     found[0] = '\0';
 }
 
-/* The scenario's name without folder and ending, and a number if files of that name are there already. */
-static void default_name(const Laboratory *lab, char name[NAME_MAX_BYTES])
-{
-    char base[NAME_MAX_BYTES], found[PATH_BYTES + 4];
-    const char *slash = strrchr(lab->scenario, '/');
-    snprintf(base, sizeof base, "%.200s", slash ? slash + 1 : lab->scenario);
-    char *dot = strrchr(base, '.');
-    if (dot && dot > base)
-        *dot = '\0';
-    if (!base[0])
-        strcpy(base, "run");
-    snprintf(name, NAME_MAX_BYTES, "%s", base);
-    for (int i = 2; i < 1000; i++) {
-        find_existing(&lab->player.duel, name, found);
-        if (!found[0])
-            return;
-        snprintf(name, NAME_MAX_BYTES, "%.200s-%d", base, i);
-    }
-}
-
 static bool show_progress(double share, void *context)
 {
     return laboratory_work(context, "exporting %d %%   ^C cancels", (int)(100 * share));
@@ -187,41 +167,43 @@ static bool export_named(Laboratory *lab, const char *text, Status *status)
     return write_or_ask(lab, write_export, found);
 }
 
-/* Rows that the series will have: one every so many steps, the first and the last always. */
-static long series_rows(const Laboratory *lab)
-{
-    const Experiment *experiment = laboratory_run(lab);
-    const long every = settings_output(experiment_settings(experiment))->every;
-    const long last = lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
-    return last / every + 1 + (last % every != 0);
-}
-
-/* Bytes of the series, from some of the rows that there are. */
-static double series_bytes(const Laboratory *lab)
+/* Proposes the scenario's name without folder and ending, and a number if files of that name are there
+ * already; says how much it will be. */
+static void ask_name(Laboratory *lab)
 {
     enum { SAMPLES = 200 };
+    char name[NAME_MAX_BYTES], base[NAME_MAX_BYTES], found[PATH_BYTES + 4];
     const Experiment *experiment = laboratory_run(lab);
     const Record *record = experiment_record(experiment);
+    /* one row every so many steps, the first and the last always */
+    const long every = settings_output(experiment_settings(experiment))->every;
+    const long last = lab->exporting.newest ? experiment_newest(experiment) : experiment_step(experiment);
+    const long rows = last / every + 1 + (last % every != 0);
     int count;
     const Column *columns = experiment_columns(experiment, &count);
-    size_t rows = 0;
+    size_t sampled = 0;
     double bytes = 0;
-    for (size_t i = 0; i < record->count; i += 1 + record->count / SAMPLES, rows++)
+    for (size_t i = 0; i < record->count; i += 1 + record->count / SAMPLES, sampled++)
         for (int k = 0; k < record->n_columns; k++) {
             char number[NUMBER_TEXT_MAX];
             if (export_writes(experiment_settings(experiment), experiment_simulation(experiment), k,
                               columns[k].quantity.name))
                 bytes += (double)text_shortest(number, record_row(record, i)[k]) + 1;
         }
-    return rows ? bytes / (double)rows * (double)series_rows(lab) : 0;
-}
-
-static void ask_name(Laboratory *lab)
-{
-    char name[NAME_MAX_BYTES];
-    const long rows = series_rows(lab);
-    const double megabytes = series_bytes(lab) / 1e6;
-    default_name(lab, name);
+    const double megabytes = sampled ? bytes / (double)sampled * (double)rows / 1e6 : 0;
+    const char *slash = strrchr(lab->scenario, '/');
+    snprintf(base, sizeof base, "%.200s", slash ? slash + 1 : lab->scenario);
+    char *dot = strrchr(base, '.');
+    if (dot && dot > base)
+        *dot = '\0';
+    if (!base[0])
+        strcpy(base, "run");
+    snprintf(name, sizeof name, "%s", base);
+    find_existing(&lab->player.duel, name, found);
+    for (int i = 2; found[0] && i < 1000; i++) {
+        snprintf(name, sizeof name, "%.200s-%d", base, i);
+        find_existing(&lab->player.duel, name, found);
+    }
     prompt_ask(lab, export_named, &prompt_retyped, name, "export %ld row%s, %.*f MB, as", rows,
                rows == 1 ? "" : "s",
                megabytes < 0.1  ? 3
@@ -233,11 +215,11 @@ static void ask_name(Laboratory *lab)
         prompt->hint, sizeof prompt->hint,
         "writes NAME-series.csv and its tables%s; NAME.svg, .pdf, .png, .tex or .gp: a figure of the view",
         lab->player.duel.b ? ", those of B as NAME-b-series.csv" : "");
-    const long every = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
-    if (every > 1)
+    const long thinner = 1 + (rows - 1) / (SPREADSHEET_ROWS - 1); /* one row is the heading */
+    if (thinner > 1)
         snprintf(prompt->hint, sizeof prompt->hint,
                  "more rows than a spreadsheet takes (%d with the heading): output.every=%ld would fit",
-                 SPREADSHEET_ROWS, every * settings_output(laboratory_settings(lab))->every);
+                 SPREADSHEET_ROWS, thinner * every);
 }
 
 static bool answer_which(Laboratory *lab, const char *text, Status *status)

@@ -106,30 +106,13 @@ void prompt_key(Laboratory *lab, const Key *key)
 /* The keys of a one-line editor, those of Emacs among them. The cursor counts characters, the text is bytes.
  */
 
-static bool continues(char byte)
-{
-    return ((unsigned char)byte & 0xc0) == 0x80;
-}
-
-static int characters(const char *text)
-{
-    int count = 0;
-    for (; *text; text++)
-        count += !continues(*text);
-    return count;
-}
-
 /* The byte at which a character begins. */
 static size_t offset(const char *text, int character)
 {
-    size_t at = 0;
-    while (character > 0 && text[at]) {
-        do
-            at++;
-        while (continues(text[at]));
-        character--;
-    }
-    return at;
+    const char *at = text;
+    while (character-- > 0 && glyph_next(&at))
+        continue;
+    return (size_t)(at - text);
 }
 
 /* Removes the characters [first, last). */
@@ -141,8 +124,8 @@ static void cut(char *text, int first, int last)
 
 bool prompt_edit_line(char *text, size_t size, int *cursor, const char *key, bool fresh)
 {
-    bool printing = (key[0] && !key[1]) || ((unsigned char)key[0] >= 0x80 && characters(key) == 1);
-    int count = characters(text);
+    bool printing = (key[0] && !key[1]) || ((unsigned char)key[0] >= 0x80 && glyphs_count(key) == 1);
+    int count = glyphs_count(text);
     if (strcmp(key, "Space") == 0) {
         key = " ";
         printing = true;

@@ -113,7 +113,7 @@ static bool frames_until(Script *script, double time, Status *status)
 }
 
 /* As the event loop does it: work that a key asks for begins in the same frame, and the screen is drawn. */
-static bool press_at(Script *script, const char *name, int x, int y, double seconds, Status *status)
+static bool press(Script *script, const char *name, int x, int y, double seconds, Status *status)
 {
     Key key = {.x = x, .y = y};
     if (script->lab.closed)
@@ -127,11 +127,6 @@ static bool press_at(Script *script, const char *name, int x, int y, double seco
     return frame_of_work(script, status) && draw(script, status);
 }
 
-static bool press(Script *script, const char *name, double seconds, Status *status)
-{
-    return press_at(script, name, -1, -1, seconds, status);
-}
-
 static bool do_key(Script *script, char *rest, Status *status)
 {
     char *place;
@@ -139,7 +134,7 @@ static bool do_key(Script *script, char *rest, Status *status)
         if (!keys_known(name))
             return status_refuse(
                 status, "key: %.40s is not a key (a character, Space, Enter, Esc, Up, F1, ^C, ...)", name);
-        else if (!press(script, name, KEY_SECONDS, status))
+        else if (!press(script, name, -1, -1, KEY_SECONDS, status))
             return false;
     return true;
 }
@@ -151,7 +146,7 @@ static bool do_mouse(Script *script, char *rest, Status *status)
     char end;
     if (sscanf(rest, "%d %d%c", &x, &y, &end) != 2)
         return status_refuse(status, "%s: a column and a row are expected, not: %s", script->row->name, rest);
-    return press_at(script, click ? "Click" : "Drag", x, y, KEY_SECONDS, status);
+    return press(script, click ? "Click" : "Drag", x, y, KEY_SECONDS, status);
 }
 
 static bool do_type(Script *script, char *rest, Status *status)
@@ -160,7 +155,7 @@ static bool do_type(Script *script, char *rest, Status *status)
     bool sound = true;
     for (const char *left = rest; *left && sound;) {
         left = keys_of_text(left, name);
-        sound = press(script, name, LETTER_SECONDS, status);
+        sound = press(script, name, -1, -1, LETTER_SECONDS, status);
     }
     return sound;
 }

@@ -37,7 +37,4 @@ struct Session {
     double last;     /* when the last event came, by the host's clock */
 };
 
-/* False: no memory, or the session is very long. */
-bool session_append(Session *, const SessionEvent *);
-
 #endif
