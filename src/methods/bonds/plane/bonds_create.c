@@ -20,7 +20,6 @@ static void destroy(Simulation *sim)
     free(beam->band_first);
     free(beam->block);
     free(beam->broken_at);
-    free(beam->both);
     free(beam->backup);
     lattice_free(&beam->lattice);
     free(beam);
@@ -216,11 +215,6 @@ static const Method beam_method = {
 static bool build(Beam *beam, const BeamOptions *options, Status *status)
 {
     const BeamDef *def = &beam->def;
-    if (def->mistake_beside) { /* what is wrong in two places */
-        beam->both = calloc(1, sizeof *beam->both);
-        if (!beam->both || !bonds_mistakes_join(def->mistake, def->mistake_beside, beam->both))
-            return status_fail(status, "not enough memory");
-    }
     if (!lattice_init(&beam->lattice, &beam->def, status) || !allocate(beam, status) ||
         !beam_set_bonds(beam, status))
         return false;

@@ -229,7 +229,7 @@ static void write_vector(const Subject *subject, const char *words, const char *
 static void explain_kick(const Subject *subject, bool second)
 {
     const Beam *beam = subject->beam;
-    const double share = bonds_kick_share(beam->def.stepping, bonds_mistake(beam), second, beam->sim.step);
+    const double share = bonds_kick_share(beam, second, beam->sim.step);
     const double density = beam->def.density, half = beam->sim.dt / 2, alpha = beam->damping;
     if (share == 0)
         write_vector(subject, "vx, vy stay ", "v stays ", OF_V, "m/s");

@@ -65,7 +65,6 @@ typedef struct Beam {
     Stage stages[N_STAGES];                        /* likewise */
     Exchange exchanges[SIMULATION_DIMENSIONS_MAX]; /* likewise */
     ForceWords force_words;                        /* of the stage that adds what acts from outside */
-    struct BondsMistake *both; /* what a code does that is wrong in two places; NULL: in one at most */
 
     void *block; /* of most arrays of the model, the state and what follows from it */
 

@@ -3,6 +3,7 @@
 #include "methods/bonds/plane/bonds_mistakes.h"
 
 #include "base/assertion.h"
+#include <limits.h>
 #include <math.h>
 
 /* --- the rows --------------------------------------------------------------------------------------- */
@@ -59,47 +60,38 @@ static const BondsMistake *row_of(int mistake)
     return mistake > 0 && mistake <= MISTAKES ? &mistakes[mistake - 1] : NULL;
 }
 
-bool bonds_mistakes_join(int one, int other, BondsMistake *out)
-{
-    const BondsMistake *a = row_of(one), *b = row_of(other);
-    if (!a || !b || a == b || (a->micromodulus && b->micromodulus))
-        return false;
-    *out = *a;
-    out->does = a->does | b->does;
-    out->micromodulus = a->micromodulus ? a->micromodulus : b->micromodulus;
-    out->share_beside = b->share;
-    return true;
-}
-
-const BondsMistake *bonds_mistake_of(int mistake, int beside, BondsMistake *room)
-{
-    return beside && bonds_mistakes_join(mistake, beside, room) ? room : row_of(mistake);
-}
-
 const BondsMistake *bonds_mistake(const Beam *beam)
 {
-    return beam->both ? beam->both : row_of(beam->head->mistake);
+    return row_of(beam->head->mistake);
 }
 
-static bool mistake_does(const BondsMistake *mistake, unsigned wrong)
+static unsigned does_of(int mistake, int beside)
 {
-    return mistake && (mistake->does & wrong) != 0;
+    const BondsMistake *const one = row_of(mistake), *const other = row_of(beside);
+    return (one ? one->does : 0) | (other ? other->does : 0);
 }
 
 bool bonds_does(const Beam *beam, unsigned wrong)
 {
-    return mistake_does(bonds_mistake(beam), wrong);
+    return does_of(beam->head->mistake, beam->def.mistake_beside) & wrong;
 }
 
 bool bonds_does_by(const BeamDef *def, unsigned wrong)
 {
-    BondsMistake room;
-    return mistake_does(bonds_mistake_of(def->mistake, def->mistake_beside, &room), wrong);
+    return does_of(def->mistake, def->mistake_beside) & wrong;
+}
+
+double bonds_micromodulus(const BeamDef *def, double right)
+{
+    const BondsMistake *const one = row_of(def->mistake), *const other = row_of(def->mistake_beside);
+    return one && one->micromodulus       ? one->micromodulus(def)
+           : other && other->micromodulus ? other->micromodulus(def)
+                                          : right;
 }
 
 bool beam_mistake_is_of_start(int mistake)
 {
-    return mistake_does(row_of(mistake), BONDS_WRONG_OF_START);
+    return does_of(mistake, 0) & BONDS_WRONG_OF_START;
 }
 
 const char *beam_mistake_sentence(int mistake)
@@ -110,52 +102,60 @@ const char *beam_mistake_sentence(int mistake)
 
 bool bonds_check_mistake(const BeamDef *def, Status *status)
 {
-    BondsMistake both;
-    if (def->mistake_beside != 0 && !bonds_mistakes_join(def->mistake, def->mistake_beside, &both))
+    const BondsMistake *const row = row_of(def->mistake), *const beside = row_of(def->mistake_beside);
+    const unsigned does = does_of(def->mistake, def->mistake_beside);
+    if (def->mistake_beside != 0 &&
+        (!row || !beside || row == beside || (row->micromodulus && beside->micromodulus)))
         return status_refuse(status, "pd.mistake: these two cannot be combined");
     if (def->mistake == 0)
         return true;
-    const BondsMistake *row = bonds_mistake_of(def->mistake, def->mistake_beside, &both);
     if (!row)
         return status_refuse(status, "pd.mistake: %d is not a choice (0 to %d)", def->mistake, MISTAKES);
-    const bool hhb = def->volume_correction == VOLUME_HHB &&
-                     mistake_does(row, BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR);
-    const bool stepped = def->stepping != STEPPING_VERLET &&
-                         mistake_does(row, BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE);
-    const bool first =
-        def->stepping == STEPPING_EULER_POSITION && mistake_does(row, BONDS_WRONG_NO_FIRST_FORCE);
-    const bool near =
-        def->horizon < 2 * def->spacing * (1 - 1e-9) && mistake_does(row, BONDS_WRONG_HALF_HORIZON);
-    const bool alone =
-        def->horizon < def->spacing * (1 + 1e-6) && mistake_does(row, BONDS_WRONG_WITHIN_HORIZON);
-    const bool held = def->problem != BEAM_SIMPLY_SUPPORTED &&
-                      mistake_does(row, BONDS_WRONG_HOLDS_EDGES | BONDS_WRONG_HOLDS_BOTH);
-    const char *other = def->influence != INFLUENCE_CONSTANT          ? "pd.influence = constant"
-                        : def->critical_stretch != 0                  ? "pd.critical_stretch = 0"
-                        : def->damping != 0 || def->critically_damped ? "damping.rate = 0"
-                        : hhb     ? "pd.volume_correction = partial or none"
-                        : first   ? "pd.stepping = verlet, euler or leapfrog"
-                        : near    ? "pd.horizon = 2 spacings or more"
-                        : alone   ? "pd.horizon = more than 1 spacing"
-                        : stepped ? "pd.stepping = verlet"
-                        : held    ? "simply supported beams"
-                                  : NULL;
-    if (def->problem == BEAM_BAR && mistake_does(row, BONDS_WRONG_IN_PLANE))
-        return status_refuse(status, "pd.mistake: %s is defined for beams and plates only",
-                             def->conceals_mistake ? "?" : row->id);
-    return !other || status_refuse(status, "pd.mistake: %s is defined for %s only",
-                                   def->conceals_mistake ? "?" : row->id, other);
+    const struct {
+        unsigned does; /* that of which it is asked; 0: of all */
+        bool fits;
+        const char *other;
+    } conditions[] = {
+        {BONDS_WRONG_IN_PLANE, def->problem != BEAM_BAR, "beams and plates"},
+        {0, def->influence == INFLUENCE_CONSTANT, "pd.influence = constant"},
+        {0, def->critical_stretch == 0, "pd.critical_stretch = 0"},
+        {0, def->damping == 0 && !def->critically_damped, "damping.rate = 0"},
+        {BONDS_WRONG_WITHIN_HORIZON | BONDS_WRONG_NO_VOLUME_FACTOR, def->volume_correction != VOLUME_HHB,
+         "pd.volume_correction = partial or none"},
+        {BONDS_WRONG_NO_FIRST_FORCE, def->stepping != STEPPING_EULER_POSITION,
+         "pd.stepping = verlet, euler or leapfrog"},
+        {BONDS_WRONG_HALF_HORIZON, def->horizon >= 2 * def->spacing * (1 - 1e-9),
+         "pd.horizon = 2 spacings or more"},
+        {BONDS_WRONG_WITHIN_HORIZON, def->horizon >= def->spacing * (1 + 1e-6),
+         "pd.horizon = more than 1 spacing"},
+        {BONDS_WRONG_KICKS_LATE | BONDS_WRONG_KICKS_BEFORE, def->stepping == STEPPING_VERLET,
+         "pd.stepping = verlet"},
+        {BONDS_WRONG_HOLDS_EDGES | BONDS_WRONG_HOLDS_BOTH, def->problem == BEAM_SIMPLY_SUPPORTED,
+         "simply supported beams"},
+    };
+    for (size_t k = 0; k < sizeof conditions / sizeof *conditions; k++)
+        if ((conditions[k].does == 0 || (conditions[k].does & does)) && !conditions[k].fits)
+            return status_refuse(status, "pd.mistake: %s is defined for %s only",
+                                 def->conceals_mistake ? "?" : row->id, conditions[k].other);
+    return true;
 }
 
-bool bonds_mistake_may_change(int from, int to, bool conceals, Status *status)
+bool bonds_change_mistake(Beam *beam, double mistake, Status *status)
 {
-    const int of_start = beam_mistake_is_of_start(to) ? to : from;
-    return from == to || !beam_mistake_is_of_start(of_start) ||
-           status_refuse(status, "pd.mistake: %s is made at the start and holds for the whole run",
-                         conceals ? "?" : beam_mistake_words[of_start]);
+    BeamDef def = beam->def;
+    def.critical_stretch = beam->head->critical_stretch;
+    def.mistake = mistake >= 0 && mistake == floor(mistake) && mistake < INT_MAX ? (int)mistake : -1;
+    if (!bonds_check_mistake(&def, status))
+        return false;
+    const int of_start = beam_mistake_is_of_start(def.mistake) ? def.mistake : beam->head->mistake;
+    if (def.mistake != beam->head->mistake && beam_mistake_is_of_start(of_start))
+        return status_refuse(status, "pd.mistake: %s is made at the start and holds for the whole run",
+                             def.conceals_mistake ? "?" : beam_mistake_words[of_start]);
+    beam->head->mistake = def.mistake;
+    return true;
 }
 
-double bonds_kick_share(Stepping stepping, const BondsMistake *mistake, bool second, long step)
+double bonds_kick_share(const Beam *beam, bool second, long step)
 {
     static const double shares[][2] = {[STEPPING_VERLET] = {0.5, 0.5},
                                        [STEPPING_EULER] = {1, 0},
@@ -165,7 +165,8 @@ double bonds_kick_share(Stepping stepping, const BondsMistake *mistake, bool sec
     const unsigned missing = BONDS_WRONG_KICKS_LATE | (second      ? BONDS_WRONG_KICKS_BEFORE
                                                        : step == 0 ? BONDS_WRONG_NO_FIRST_FORCE
                                                                    : 0);
-    if (mistake_does(mistake, missing))
+    const Stepping stepping = beam->def.stepping;
+    if (bonds_does(beam, missing))
         return 0;
     const bool leaps = stepping >= STEPPING_LEAPFROG;
     return leaps && !second && step == 0 ? 0.5 : shares[stepping][second];
@@ -198,13 +199,12 @@ static void find_in_list(const Lattice *lattice, int i, int j, int p, int q, Bon
 }
 
 /* Of the pull of a bond what an end gets: 1 by the right code. */
-static double mistake_share(const BondsMistake *mistake, const BondEnd *end)
+static double share_of(const Beam *beam, const BondEnd *end)
 {
-    double (*const shares[])(const BondEnd *) = {mistake ? mistake->share : NULL,
-                                                 mistake ? mistake->share_beside : NULL};
+    const BondsMistake *const rows[] = {row_of(beam->head->mistake), row_of(beam->def.mistake_beside)};
     double product = 1;
-    for (size_t i = 0; i < 2; i++)
-        product *= shares[i] ? shares[i](end) : 1;
+    for (size_t k = 0; k < 2; k++)
+        product *= rows[k] && rows[k]->share ? rows[k]->share(end) : 1;
     return product;
 }
 
@@ -214,22 +214,21 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
     ASSERT_INDEX(place.offset, beam->lattice.n_offsets);
     const Lattice *lattice = &beam->lattice;
     const Offset *offset = &lattice->offsets[place.offset];
-    const BondsMistake *mistake = bonds_mistake(beam);
     const double ex = lattice_apart(lattice, place, beam->nodes.ux),
                  ey = lattice_apart(lattice, place, beam->nodes.uy);
     const double x = offset->x + ex, y = offset->y + ey, length = sqrt(x * x + y * y);
     const bool left = offset->p > 0 || (offset->p == 0 && offset->q > 0);
     BondEnd own = {.left = left, .owner = true, .rest = offset->length, .now = length};
     BondEnd other = {.left = !left, .rest = offset->length, .now = length};
-    if (mistake_does(mistake, BONDS_WRONG_BY_LIST)) {
+    if (bonds_does(beam, BONDS_WRONG_BY_LIST)) {
         find_in_list(lattice, place.i, place.j, offset->p, offset->q, &own);
         find_in_list(lattice, place.i + offset->p, place.j + offset->q, -offset->p, -offset->q, &other);
     }
     BondNow bond = {.stretch = offset_stretch(offset, ex, ey),
                     .stiffness = beam->coefficient[lattice_slot(lattice, place)],
-                    .share = {mistake_share(mistake, &own), mistake_share(mistake, &other)},
+                    .share = {share_of(beam, &own), share_of(beam, &other)},
                     .direction = {x / length, y / length}};
-    if (mistake_does(mistake, BONDS_WRONG_ALONG_REST)) {
+    if (bonds_does(beam, BONDS_WRONG_ALONG_REST)) {
         bond.direction[0] = offset->x / offset->length;
         bond.direction[1] = offset->y / offset->length;
     }

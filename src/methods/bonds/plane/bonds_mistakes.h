@@ -59,30 +59,25 @@ typedef struct BondsMistake {
     /* What this code does; what is not said it does as it should be done. */
     unsigned does;                           /* BONDS_WRONG_... */
     double (*micromodulus)(const BeamDef *); /* c */
-    double (*share)(const BondEnd *),
-        (*share_beside)(const BondEnd *); /* of a bond's pull that an end gets */
+    double (*share)(const BondEnd *);        /* of a bond's pull that an end gets */
 } BondsMistake;
 
-/* NULL: none. Whether its code does that (BONDS_WRONG_...). */
+/* The one that is shown; NULL: none. Whether the code does that (BONDS_WRONG_...), there or besides. */
 const BondsMistake *bonds_mistake(const Beam *);
 bool bonds_does(const Beam *, unsigned wrong);
-
-/* The share of dt of the first or second kick of a step, by the stepping and what such a code does. */
-double bonds_kick_share(Stepping, const BondsMistake *, bool second, long step);
-
-/* That of a number and a second one (0: none); `room` holds what is wrong in two places, worded as the first
- * of them. */
-const BondsMistake *bonds_mistake_of(int mistake, int beside, BondsMistake *room);
 bool bonds_does_by(const BeamDef *, unsigned wrong);
 
-/* A code that is wrong in two places. False: no such two mistakes go together. */
-bool bonds_mistakes_join(int one, int other, BondsMistake *);
+/* c, which is `right` by the right code. */
+double bonds_micromodulus(const BeamDef *, double right);
+
+/* The share of dt of the first or second kick of a step, by the stepping and what such a code does. */
+double bonds_kick_share(const Beam *, bool second, long step);
 
 /* Whether these are what mistakes are defined for; else the status names the key. */
 bool bonds_check_mistake(const BeamDef *, Status *);
 
-/* Whether a run may go from one to the other. */
-bool bonds_mistake_may_change(int from, int to, bool conceals, Status *);
+/* Between steps: another mistake from here on. False: one of them is made at the start, or it is none. */
+bool bonds_change_mistake(Beam *, double mistake, Status *);
 
 /* Adds to fx[q], fy[q] what the bonds of row j give (beam_bonds_of_row()), and returns their energy, J.
  * Nothing breaks; what is not a number is logged as unstable. */

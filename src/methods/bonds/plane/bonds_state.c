@@ -5,7 +5,6 @@
 #include "base/assertion.h"
 #include "methods/bonds/plane/bonds_mistakes.h"
 
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -87,27 +86,16 @@ static const struct {
     {"pd.critical_stretch", offsetof(StateHead, critical_stretch)},
 };
 
-/* Of those that affect neither the start nor a factor. */
-static bool change_mistake(Beam *beam, double value, Status *status)
-{
-    BeamDef def = beam->def;
-    def.critical_stretch = beam->head->critical_stretch;
-    def.mistake = value >= 0 && value == floor(value) && value < INT_MAX ? (int)value : -1;
-    if (!bonds_check_mistake(&def, status))
-        return false;
-    if (!bonds_mistake_may_change(beam->head->mistake, def.mistake, def.conceals_mistake, status))
-        return false;
-    beam->head->mistake = def.mistake;
-    beam_set_stages(beam);
-    return true;
-}
-
 bool beam_change(Simulation *sim, const char *key, double value, Status *status)
 {
     ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
-    if (strcmp(key, "pd.mistake") == 0)
-        return change_mistake(beam, value, status);
+    if (strcmp(key, "pd.mistake") == 0) {
+        const bool changed = bonds_change_mistake(beam, value, status);
+        if (changed)
+            beam_set_stages(beam);
+        return changed;
+    }
     for (size_t k = 0; k < sizeof live_parameters / sizeof *live_parameters; k++) {
         if (strcmp(live_parameters[k].key, key) != 0)
             continue;

@@ -79,7 +79,7 @@ static void kick(Beam *beam, int j, double share)
 static void half_kick(Beam *beam, int j, long step)
 {
     beam_brake(beam, j, false);
-    kick(beam, j, bonds_kick_share(beam->def.stepping, bonds_mistake(beam), false, step));
+    kick(beam, j, bonds_kick_share(beam, false, step));
     constrain_velocity(beam, j, (double)step * beam->sim.dt);
 }
 
@@ -121,7 +121,7 @@ static void body_force(Beam *beam, int j, long step)
 /* Eq. 11. */
 static void second_kick(Beam *beam, int j, long step)
 {
-    kick(beam, j, bonds_kick_share(beam->def.stepping, bonds_mistake(beam), true, step));
+    kick(beam, j, bonds_kick_share(beam, true, step));
     beam_brake(beam, j, true);
     constrain_velocity(beam, j, (double)(step + 1) * beam->sim.dt);
     beam_note_reaction(beam, j);

@@ -326,10 +326,7 @@ void lattice_find_families(Lattice *lattice, const BeamDef *def)
                                  : 6 * def->youngs_modulus / (M_PI * delta * delta * delta * (1 - 1.0 / 3));
     if (cone && !line)
         lattice->micromodulus *= 4;
-    BondsMistake room;
-    const BondsMistake *mistake = bonds_mistake_of(def->mistake, def->mistake_beside, &room);
-    if (mistake && mistake->micromodulus)
-        lattice->micromodulus = mistake->micromodulus(def);
+    lattice->micromodulus = bonds_micromodulus(def, lattice->micromodulus);
     if (bonds_does_by(def, BONDS_WRONG_NO_SURFACE_FACTOR))
         lattice->correction = SURFACE_NONE;
     add_offsets(lattice, def);
