@@ -443,6 +443,30 @@ bool mpm_op_of_nodes(MpmOp);
 
 /* --- what front ends read --------------------------------------------------------------------------- */
 
+/* What a run is, as far as its words depend on it: one of each group. Whether it is one of those that are
+ * named; of a group of which none is named any will do. */
+enum {
+    IN_LINE = 1 << 0,
+    IN_BEAM = 1 << 1,
+    IN_BODIES = 1 << 2,
+    IN_PLANE = IN_BEAM | IN_BODIES,
+    BY_FLIP = 1 << 3,
+    BY_BLEND = 1 << 4, /* with a share of PIC */
+    BY_PIC = 1 << 5,
+    BY_SHARE = BY_BLEND | BY_PIC,
+    BY_APIC = 1 << 6,
+    BY_FMPM = 1 << 7,
+    IS_LUMPED = 1 << 8,
+    IS_COUPLED = 1 << 9,
+    OF_HATS = 1 << 10,
+    OF_OTHERS = 1 << 11,
+    IS_TURNED = 1 << 12, /* the stress turns with the body */
+    IS_UNTURNED = 1 << 13,
+    IS_NEO = 1 << 14,
+    IS_HYPOELASTIC = 1 << 15
+};
+bool mpm_is(const Mpm *, unsigned when);
+
 const MpmSchedule *mpm_schedule(const Mpm *);
 void mpm_list_stages(Mpm *);
 bool mpm_has_done(const Mpm *, MpmOp); /* whether the stage of `op` is done in the step going on */

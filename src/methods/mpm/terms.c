@@ -20,25 +20,10 @@
 
 #include <string.h>
 
-/* What a run is, as far as the table depends on it: one of each group. */
-enum {
-    IN_BODIES = 1 << 0,
-    IN_OTHERS = 1 << 1,
-    BY_FLIP = 1 << 2,
-    BY_BLEND = 1 << 3,
-    BY_PIC = 1 << 4,
-    BY_APIC = 1 << 5,
-    BY_FMPM = 1 << 6,
-    IS_LUMPED = 1 << 7,
-    IS_COUPLED = 1 << 8
-};
-static const unsigned groups[] = {IN_BODIES | IN_OTHERS, BY_FLIP | BY_BLEND | BY_PIC | BY_APIC | BY_FMPM,
-                                  IS_LUMPED | IS_COUPLED};
-
 typedef struct Row {
     MpmTerm term;
     MpmOp op;
-    unsigned when;        /* in which runs; of a group nothing is said: in all */
+    unsigned when;        /* mpm_is() */
     const char *field[2]; /* of the receiver, along a line and in the plane; NULL: not there */
     const char *symbol;   /* how the sum begins */
     bool adds;            /* to what the field was */
@@ -63,7 +48,7 @@ static const Row rows[] = {
     {TERM_MOMENTUM, OP_MAP, NO_APIC, INTO_P, "m v@ N", NULL},
     {TERM_MOMENTUM, OP_MAP, BY_APIC, INTO_P, "m w@ N", "w = v + C (x_i - x_p)"},
     {TERM_STRESS, OP_FORCE, 0, {"f_int", NULL}, "f_int", false, "-N′ σ V", "V = m/rho"},
-    {TERM_STRESS, OP_FORCE, IN_OTHERS, INTO_F, "s@ V", "s@ = -(σ@x N,x + σ@y N,y), V = m/ρ"},
+    {TERM_STRESS, OP_FORCE, IN_BEAM, INTO_F, "s@ V", "s@ = -(σ@x N,x + σ@y N,y), V = m/ρ"},
     {TERM_STRESS, OP_FORCE, IN_BODIES, INTO_F, "s@ V", "s@ = ρ g@ N - (σ@x N,x + σ@y N,y), V = m/ρ"},
     {TERM_LOAD, OP_FORCE, 0, {"f_ext", NULL}, "f_ext", false, "N load", NULL},
     {TERM_MOMENTUM, OP_MAP_AGAIN, NO_APIC, INTO_P, "m v@ N", NULL},
@@ -71,10 +56,10 @@ static const Row rows[] = {
     {TERM_STRAIN, OP_STRAIN, 0, {"strain_increment", NULL}, "Δε", false, "Δt N′ v", NULL},
     {TERM_STRAIN, OP_STRAIN, 0, {NULL, "e@@"}, "Δε@@", false, "Δt N,@ v@", NULL},
     {TERM_SHEAR, OP_STRAIN, 0, {NULL, "gxy"}, "Δγxy", false, "Δt turn", "turn = N,y vx + N,x vy"},
-    {TERM_VELOCITY, OP_UPDATE, IN_OTHERS | BY_FLIP | IS_LUMPED, INTO_V, "Δt N a@", "a = f/m"},
+    {TERM_VELOCITY, OP_UPDATE, IN_LINE | IN_BEAM | BY_FLIP | IS_LUMPED, INTO_V, "Δt N a@", "a = f/m"},
     {TERM_VELOCITY, OP_UPDATE, BY_FLIP | IS_COUPLED, INTO_V, "Δt N a@", "a of M a = f"},
     {TERM_VELOCITY, OP_UPDATE, IN_BODIES | BY_FLIP, INTO_V, "N gain_@", "gain = (q - q0)/m"},
-    {TERM_VELOCITY, OP_UPDATE, IN_OTHERS | BY_BLEND | IS_LUMPED, INTO_V, "N gain_@",
+    {TERM_VELOCITY, OP_UPDATE, IN_LINE | IN_BEAM | BY_BLEND | IS_LUMPED, INTO_V, "N gain_@",
      "gain = alpha dt f/m + (1 - alpha)(v_i - v_p)"},
     {TERM_VELOCITY, OP_UPDATE, BY_BLEND | IS_COUPLED, INTO_V, "N gain_@",
      "gain = alpha dt a + (1 - alpha)(v_i - v_p)"},
@@ -84,25 +69,6 @@ static const Row rows[] = {
     {TERM_PLACE, OP_UPDATE, BY_FLIP | BY_BLEND | BY_PIC | BY_APIC, INTO_X, "Δt N v@", NULL},
     {TERM_PLACE, OP_UPDATE, BY_FMPM, INTO_X, "Δt N w", "w = (v_p before + v_i)/2"},
 };
-
-static unsigned state_of(const Mpm *mpm)
-{
-    const MpmHead *head = mpm->head;
-    return (mpm->bodies ? IN_BODIES : IN_OTHERS) | (mpm_is_lumped(mpm) ? IS_LUMPED : IS_COUPLED) |
-           (head->transfer == MPM_APIC   ? BY_APIC
-            : head->transfer == MPM_FMPM ? BY_FMPM
-            : head->flip_fraction == 1.0 ? BY_FLIP
-            : head->flip_fraction == 0.0 ? BY_PIC
-                                         : BY_BLEND);
-}
-
-static bool is_there(const Mpm *mpm, const Row *row)
-{
-    bool there = row->field[mpm->dim - 1] != NULL;
-    for (size_t g = 0; g < sizeof groups / sizeof *groups; g++)
-        there = there && (!(row->when & groups[g]) || (row->when & groups[g] & state_of(mpm)));
-    return there;
-}
 
 static void write_form(const Mpm *mpm, const char *form, int axis, char *out, size_t size)
 {
@@ -122,7 +88,7 @@ void mpm_list_exchanges(Mpm *mpm)
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         const Row *row = &rows[k];
         const char *form = row->field[mpm->dim - 1];
-        for (int axis = 0; is_there(mpm, row) && axis < (form && strchr(row->symbol, '@') ? mpm->dim : 1);
+        for (int axis = 0; form && mpm_is(mpm, row->when) && axis < (strchr(row->symbol, '@') ? mpm->dim : 1);
              axis++) {
             MpmExchange *words = &mpm->terms[count];
             *words = (MpmExchange){.term = row->term, .op = row->op, .axis = axis};
