@@ -84,37 +84,29 @@ static void write_given(const Subject *subject, int exchange)
     calculation_sum(subject->to, &sum);
 }
 
-/* sum N = 1 */
-static void write_shares(const Subject *subject)
-{
-    CalculationSum sum = {.label = "N: ", .result = 1};
-    for (size_t i = 0; i < subject->n_links; i++)
-        calculation_add(&sum, 1, subject->links[i].weight, 0, 0)->to = (long)subject->links[i].index;
-    calculation_sum(subject->to, &sum);
-}
-
 /* --- one system of all nodes of a line, where masses are not lumped ---------------------------------- */
 
-typedef enum RowOf { ROW_OF_VELOCITY, ROW_OF_ACCELERATION } RowOf;
-
 /* v, or a, of the solution at a node; 0 where it is held or inactive. */
-static double solved(const Mpm *mpm, RowOf of, int node)
+static double solved(const Mpm *mpm, bool forces, int node)
 {
-    return of == ROW_OF_ACCELERATION ? mpm_node_acceleration(mpm, 0, node) : mpm_node_velocity(mpm, 0, node);
+    return forces ? mpm_node_acceleration(mpm, 0, node) : mpm_node_velocity(mpm, 0, node);
+}
+
+static double given(const Mpm *mpm, bool forces, int node)
+{
+    return forces ? mpm_node_force(mpm, 0, node) : mpm->momentum[0][node];
 }
 
 /* The row of M v = p, or of M a = f, at a node, with what the solution gives:
  *     "M v: 0.11 × v7 + 0.78 × v8 + 0.11 × v9 = p8" */
-static void write_row(const Subject *subject, RowOf of, int node)
+static void write_row(const Subject *subject, bool forces, int node)
 {
     const Mpm *mpm = subject->mpm;
-    const bool forces = of == ROW_OF_ACCELERATION;
     const CalculationLabel label = label_of(mpm, forces ? "Σ M a = f#: " : "Σ M v = p#: ", 0, node);
-    CalculationSum sum = {.label = label.text,
-                          .result = forces ? mpm_node_force(mpm, 0, node) : mpm->momentum[0][node]};
+    CalculationSum sum = {.label = label.text, .result = given(mpm, forces, node)};
     for (int j = node - (mpm->support - 1); j <= node + (mpm->support - 1); j++)
         if (j >= 0 && j < mpm->n_nodes && mpm_moves(mpm, j))
-            calculation_add(&sum, 2, mpm_mass_between(mpm, node, j), solved(mpm, of, j), 0);
+            calculation_add(&sum, 2, mpm_mass_between(mpm, node, j), solved(mpm, forces, j), 0);
     calculation_sum(subject->to, &sum);
 }
 
@@ -122,22 +114,20 @@ enum { WINDOW_MAX = 2 * (FMPM_ORDER_MAX - 1) * MPM_REACH_MAX + 1 };
 
 /* FMPM's terms at a node: "v8 = d_1 + d_2 = 0.1 - 0.02 = 0.08". A term needs the one before of the nodes
  * `reach` away: all are made on a stretch of the bar that gets shorter. */
-static void write_series(const Subject *subject, RowOf of, int node)
+static void write_series(const Subject *subject, bool forces, int node)
 {
     const Mpm *mpm = subject->mpm;
     const int order = mpm->head->fmpm_order, half = (order - 1) * (mpm->support - 1);
     double term[WINDOW_MAX] = {0}, next[WINDOW_MAX];
     for (int w = 0, i = node - half; i <= node + half; w++, i++)
         if (i >= 0 && i < mpm->n_nodes && mpm_moves(mpm, i))
-            term[w] = (of == ROW_OF_ACCELERATION ? mpm_node_force(mpm, 0, i) : mpm->momentum[0][i]) *
-                      mpm->inverse[i];
-    const bool forces = of == ROW_OF_ACCELERATION;
+            term[w] = given(mpm, forces, i) * mpm->inverse[i];
     const CalculationLabel label = label_of(mpm,
                                             order == 1 ? forces ? "a# = d_1 = " : "v# = d_1 = "
                                             : forces   ? "a# = d_1 + d_2 ... = "
                                                        : "v# = d_1 + d_2 ... = ",
                                             0, node);
-    CalculationSum sum = {.label = label.text, .result = solved(mpm, of, node)};
+    CalculationSum sum = {.label = label.text, .result = solved(mpm, forces, node)};
     for (int j = 1;; j++) {
         calculation_add(&sum, 1, term[half], 0, 0);
         if (j == order)
@@ -156,10 +146,10 @@ static void write_series(const Subject *subject, RowOf of, int node)
 }
 
 /* Of the node, or of all nodes of the particle. */
-static void write_system(const Subject *subject, RowOf of)
+static void write_system(const Subject *subject, bool forces)
 {
     const Mpm *mpm = subject->mpm;
-    const bool node = subject->set == MPM_NODES, forces = of == ROW_OF_ACCELERATION;
+    const bool node = subject->set == MPM_NODES;
     for (size_t i = 0; i < (node ? 1 : subject->n_links); i++) {
         const int at = node ? subject->index : (int)subject->links[i].index;
         if (!mpm_moves(mpm, at))
@@ -168,17 +158,11 @@ static void write_system(const Subject *subject, RowOf of)
                                                                : "too little mass is here, the node is "
                                                                  "inactive");
         else
-            (mpm->head->transfer == MPM_FMPM ? write_series : write_row)(subject, of, at);
+            (mpm->head->transfer == MPM_FMPM ? write_series : write_row)(subject, forces, at);
     }
 }
 
 /* --- what nodes do ------------------------------------------------------------------------------------ */
-
-static bool holds(const Mpm *mpm, int axis, int node)
-{
-    return mpm_holds_momentum(mpm, OP_FIX, node) &&
-           (mpm_held(mpm, mpm->sim.step, node) & (unsigned)(HELD_X << axis)) != 0;
-}
 
 /* Step 2 of paper M, with the momentum that the support took away. */
 static void fix_node(const Subject *subject)
@@ -187,12 +171,12 @@ static void fix_node(const Subject *subject)
     const int i = subject->index;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double *p = &mpm->momentum[axis][i];
+        const bool held = mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis);
         calculation_write(subject->to, "%s", label_of(mpm, "p@#", axis, i).text);
-        if (!holds(mpm, axis, i)) {
+        if (!held || !mpm_holds_momentum(mpm, OP_FIX, i)) {
             calculation_number(subject->to, " = ", *p);
-            calculation_write(subject->to, mpm_held(mpm, mpm->sim.step, i) & (unsigned)(HELD_X << axis)
-                                               ? " stays, though a support holds the node\n"
-                                               : " stays: no support holds the node\n");
+            calculation_write(subject->to, held ? " stays, though a support holds the node\n"
+                                                : " stays: no support holds the node\n");
             continue;
         }
         if (subject->before)
@@ -200,17 +184,11 @@ static void fix_node(const Subject *subject)
         calculation_number(subject->to, " → ", *p);
         calculation_write(subject->to, ": a support holds the node\n");
     }
-    if (!mpm_is_lumped(mpm))
-        write_system(subject, ROW_OF_VELOCITY);
 }
 
 static void fix_particle(const Subject *subject)
 {
     const Mpm *mpm = subject->mpm;
-    if (!mpm_is_lumped(mpm)) {
-        write_system(subject, ROW_OF_VELOCITY);
-        return;
-    }
     for (size_t i = 0; i < subject->n_links; i++) {
         const int node = (int)subject->links[i].index;
         if (mpm_held(mpm, mpm->sim.step, node)) {
@@ -296,28 +274,23 @@ static void touch_node(const Subject *subject)
     if (any) {
         write_pair(subject->to, "p: ", was(subject, p[0]), was(subject, p[1]), " → ");
         write_pair(subject->to, "", rounded(subject, p[0]), rounded(subject, p[1]), "\n");
-    }
-    if (!any)
+    } else
         calculation_write(subject->to, "no wall and no other body here: its momentum stays\n");
 }
 
-/* Two bodies share the node, and no wall acts on it. */
-static bool is_shared(const Mpm *mpm, int index)
-{
-    bool other = false;
-    for (int i = index % mpm->grid_nodes; i < mpm->n_nodes; i += mpm->grid_nodes)
-        other |= i != index && mpm->inverse[i] > 0.0;
-    return other && mpm->inverse[index] > 0.0 && !bodies_at_wall(mpm, index);
-}
-
-/* At the node of which the particle has the largest share; one that bodies share first. */
+/* At the node of which the particle has the largest share; one that bodies share, and no wall, first. */
 static void touch_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     size_t most = 0;
     double largest = -1.0;
     for (size_t i = 0; i < subject->n_links; i++) {
-        const double weight =
-            subject->links[i].weight + (is_shared(subject->mpm, (int)subject->links[i].index) ? 1.0 : 0.0);
+        const int at = (int)subject->links[i].index;
+        bool other = false, shared;
+        for (int k = at % mpm->grid_nodes; k < mpm->n_nodes; k += mpm->grid_nodes)
+            other |= k != at && mpm->inverse[k] > 0.0;
+        shared = other && mpm->inverse[at] > 0.0 && !bodies_at_wall(mpm, at);
+        const double weight = subject->links[i].weight + (shared ? 1.0 : 0.0);
         most = weight > largest ? i : most;
         largest = weight > largest ? weight : largest;
     }
@@ -350,10 +323,8 @@ static void velocity_node(const Subject *subject)
         calculation_write(subject->to, GRID_FORGOTTEN);
         return;
     }
-    if (!mpm_is_lumped(mpm)) {
-        write_system(subject, ROW_OF_VELOCITY);
+    if (!mpm_is_lumped(mpm))
         return;
-    }
     if (mpm_holds_momentum(mpm, OP_STRAIN, i)) {
         const double velocity = mpm->velocity[0][i];
         write_ratio(subject, label_of(mpm, "it strains by v# = p/m = ", 0, i).text,
@@ -382,27 +353,21 @@ static void force_node(const Subject *subject)
         calculation_sum(subject->to, &whole);
     } else
         calculation_write(subject->to, "no load acts here: f = f_int\n");
-    if (!mpm_is_lumped(mpm))
-        write_system(subject, ROW_OF_ACCELERATION);
 }
 
 /* What the loads on a particle are together. */
 static void force_particle(const Subject *subject)
 {
     const Mpm *mpm = subject->mpm;
-    if (mpm->dim == 1 && mpm_is_loaded(mpm)) {
-        const ForceTerms forces = mpm_forces(mpm);
-        char label[sizeof mpm->force_words.load + 4] = "";
-        text_append(label, sizeof label, "%s = ", mpm->force_words.load);
-        CalculationSum sum = {.label = label, .result = mpm_load_on(mpm, subject->index)};
-        for (int i = 0; i < forces.count; i++)
-            calculation_add(
-                &sum, 1, forces.terms[i]->on(&mpm->sim, (size_t)subject->index, 0, forces.terms[i]->context),
-                0, 0);
-        calculation_sum(subject->to, &sum);
-    }
-    if (!mpm_is_lumped(mpm))
-        write_system(subject, ROW_OF_ACCELERATION);
+    const ForceTerms forces = mpm_forces(mpm);
+    char label[sizeof mpm->force_words.load + 4] = "";
+    if (mpm->dim == 2 || !mpm_is_loaded(mpm))
+        return;
+    text_append(label, sizeof label, "%s = ", mpm->force_words.load);
+    CalculationSum sum = {.label = label, .result = mpm_load_on(mpm, subject->index)};
+    for (const ForceTerm *const *term = forces.terms; term < forces.terms + forces.count; term++)
+        calculation_add(&sum, 1, (*term)->on(&mpm->sim, (size_t)subject->index, 0, (*term)->context), 0, 0);
+    calculation_sum(subject->to, &sum);
 }
 
 static void fix_force_node(const Subject *subject)
@@ -448,8 +413,6 @@ static void integrate_particle(const Subject *subject)
     for (size_t i = 0; mpm->dim == 1 && i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
             write_integrated(subject, (int)subject->links[i].index);
-    if (!mpm_is_lumped(mpm))
-        write_system(subject, ROW_OF_VELOCITY);
 }
 
 static void update_node(const Subject *subject)
@@ -521,8 +484,6 @@ static void strain_particle(const Subject *subject)
         write_density(subject, mpm_mass(mpm, p) / mpm->volume[p], 1 + e[0]);
     if (mpm->bodies)
         calculation_value(subject->to, "det F = V/V₀ = ", mpm->volume[p] / mpm->volume_start);
-    if (!mpm_is_lumped(mpm))
-        write_system(subject, ROW_OF_VELOCITY);
 }
 
 /* Where the step is over, what came of eqs. 14 and 15; APIC's slopes. */
@@ -599,8 +560,12 @@ void mpm_explain(const Simulation *sim, int stage, int set, size_t index, const 
         return;
     }
     const MpmOp op = schedule->ops[stage];
-    if (op == OP_MAP && set == MPM_PARTICLES)
-        write_shares(&subject);
+    if (op == OP_MAP && set == MPM_PARTICLES) {
+        CalculationSum sum = {.label = "N: ", .result = 1};
+        for (size_t i = 0; i < subject.n_links; i++)
+            calculation_add(&sum, 1, subject.links[i].weight, 0, 0)->to = (long)subject.links[i].index;
+        calculation_sum(&calculation, &sum);
+    }
     for (int e = 0; e < sim->n_exchanges; e++)
         if (mpm->terms[e].op == op && sim->exchanges[e].to == set)
             write_taken(&subject, e);
@@ -608,6 +573,9 @@ void mpm_explain(const Simulation *sim, int stage, int set, size_t index, const 
             write_given(&subject, e);
     const bool fixes = op == OP_FIX || op == OP_FIX_AGAIN;
     const MpmOp other = mpm->bodies && fixes ? OP_FIX_MOVED : op;
-    if (others[other][set])
+    const bool lumped = mpm_is_lumped(mpm);
+    if (others[other][set] && (lumped || op != OP_FIX || set == MPM_NODES))
         others[other][set](&subject);
+    if (!lumped && (op == OP_FIX || op == OP_STRAIN || op == OP_FORCE || op == OP_INTEGRATE))
+        write_system(&subject, op == OP_FORCE);
 }

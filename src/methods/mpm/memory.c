@@ -177,75 +177,61 @@ static size_t small(Simulation *sim, double *x, double unit, bool put)
 
 /* --- made and changed ------------------------------------------------------------------------------- */
 
-/* mu, with what 0 stands for. */
-static double blend_of(const MpmDef *def)
+enum { BAR = 1 << MPM_BAR, BEAM = 1 << MPM_BEAM, BODIES = 1 << MPM_BODIES, ALL = BAR | BEAM | BODIES };
+
+/* The parameters that may change in mid-run; they belong to the state. */
+#define LIVE(key, of, is_number, member)                                                                     \
+    {                                                                                                        \
+        key, of, is_number, offsetof(MpmDef, member), offsetof(MpmHead, member)                              \
+    }
+static const struct Live {
+    const char *key;
+    unsigned of;
+    bool is_number; /* else a choice, or a whole number: an int */
+    size_t in_def, in_head;
+} live[] = {
+    LIVE("mpm.algorithm", ALL, false, algorithm),        LIVE("mpm.transfer", BAR | BODIES, false, transfer),
+    LIVE("mpm.flip_fraction", ALL, true, flip_fraction), LIVE("mpm.mass_blend", BAR, true, mass_blend),
+    LIVE("mpm.fmpm_order", BAR, false, fmpm_order),      LIVE("mpm.mistake", BAR | BEAM, false, mistake),
+    LIVE("load.body_force", BAR, true, body_force),      LIVE("load.traction", BAR, true, traction),
+};
+enum { LIVE_ROWS = sizeof live / sizeof *live };
+
+static size_t live_size(const struct Live *row)
 {
-    return def->problem != MPM_BAR  ? 1
-           : def->mass_blend == 0.0 ? bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant)
-                                    : def->mass_blend;
+    return row->is_number ? sizeof(double) : sizeof(int);
 }
 
-/* The live parameters of the state as a definition has them. */
+/* Those of the state as a definition has them; mu with what 0 stands for. */
 static void take_live(MpmHead *head, const MpmDef *def)
 {
-    head->algorithm = def->algorithm;
-    head->transfer = def->transfer;
-    head->flip_fraction = def->flip_fraction;
-    head->mass_blend = blend_of(def);
-    head->fmpm_order = def->fmpm_order;
-    head->mistake = def->mistake;
-    head->body_force = def->body_force;
-    head->traction = def->traction;
-}
-
-/* The definition of a run that begins with the live parameters of now. */
-static MpmDef definition_of_now(const Mpm *mpm)
-{
-    const MpmHead *head = mpm->head;
-    MpmDef def = mpm->def;
-    def.algorithm = head->algorithm;
-    def.transfer = head->transfer;
-    def.flip_fraction = head->flip_fraction;
-    def.mass_blend = head->mass_blend;
-    def.fmpm_order = head->fmpm_order;
-    def.mistake = head->mistake;
-    def.body_force = head->body_force;
-    def.traction = head->traction;
-    return def;
+    for (const struct Live *row = live; row < live + LIVE_ROWS; row++)
+        memcpy((char *)head + row->in_head, (const char *)def + row->in_def, live_size(row));
+    if (def->problem != MPM_BAR)
+        head->mass_blend = 1;
+    else if (def->mass_blend == 0.0)
+        head->mass_blend = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
 }
 
 /* A live parameter, between steps only: it belongs to the state, so a snapshot brings back its own. APIC's
  * gradients begin at 0 where the transfer is changed: there is none to begin with. */
 static bool change(Simulation *sim, const char *key, double value, Status *status)
 {
-    enum { BAR = 1 << MPM_BAR, BEAM = 1 << MPM_BEAM, BODIES = 1 << MPM_BODIES };
     Mpm *mpm = mpm_of(sim);
-    MpmDef def = definition_of_now(mpm);
-    const struct {
-        const char *key;
-        unsigned of;
-        double *number; /* NULL: it is a choice, or a whole number */
-        int *whole;
-    } live[] = {
-        {"mpm.algorithm", BAR | BEAM | BODIES, NULL, (int *)&def.algorithm},
-        {"mpm.transfer", BAR | BODIES, NULL, (int *)&def.transfer},
-        {"mpm.flip_fraction", BAR | BEAM | BODIES, &def.flip_fraction, NULL},
-        {"mpm.mass_blend", BAR, &def.mass_blend, NULL},
-        {"mpm.fmpm_order", BAR, NULL, &def.fmpm_order},
-        {"mpm.mistake", BAR | BEAM, NULL, &def.mistake},
-        {"load.body_force", BAR, &def.body_force, NULL},
-        {"load.traction", BAR, &def.traction, NULL},
-    };
+    MpmDef def = mpm->def; /* of a run that begins with the live parameters of now */
     bool found = false;
     ASSERT_INT(sim->stage, ==, 0);
-    for (size_t k = 0; k < sizeof live / sizeof *live; k++)
-        if ((live[k].of & 1u << def.problem) && strcmp(live[k].key, key) == 0) {
-            found = true;
-            if (live[k].number)
-                *live[k].number = value;
-            else
-                *live[k].whole = (int)value;
-        }
+    for (const struct Live *row = live; row < live + LIVE_ROWS; row++) {
+        const bool asked = (row->of & 1u << def.problem) && strcmp(row->key, key) == 0;
+        void *const to = (char *)&def + row->in_def;
+        if (!asked)
+            memcpy(to, (const char *)mpm->head + row->in_head, live_size(row));
+        else if (row->is_number)
+            memcpy(to, &value, sizeof value);
+        else
+            *(int *)to = (int)value;
+        found = found || asked;
+    }
     if (!found)
         return status_refuse(status, "%s: cannot be changed in mid-run", key);
     if (!mpm_check(&def, status) || !mpm_change_mistake(mpm, def.mistake, status))

@@ -70,7 +70,8 @@ const char *mpm_body_mistake_sentence(int mistake)
     return of_bodies[mistake].sentence;
 }
 
-/* Of each line a code does one thing. */
+/* Of each line a code does one thing: of two mistakes in it they are one and the same thing done otherwise.
+ */
 static const uint64_t alternatives[] = {
     DOES(BOX_WHOLE) | DOES(BOX_QUARTER),
     DOES(HOLDS_LATE) | DOES(HOLDS_NEVER),
@@ -82,25 +83,6 @@ static const uint64_t alternatives[] = {
     DOES(SPIN_SIGN) | DOES(NO_ROTATION),
 };
 
-/* Whether a code can make both mistakes; else they are one and the same thing done otherwise. */
-static bool can_be_both(const Mistake *one, const Mistake *other)
-{
-    bool can = one->does != 0 && one != other;
-    for (size_t k = 0; k < sizeof alternatives / sizeof *alternatives; k++) {
-        const uint64_t first = one->does & alternatives[k], second = other->does & alternatives[k];
-        can = can && (first == 0 || second == 0 || first == second);
-    }
-    return can;
-}
-
-static bool touches(const MpmDef *def)
-{
-    bool any = def->n_bodies > 1;
-    for (int wall = 0; wall < WALLS; wall++)
-        any = any || def->walls[wall] != WALL_OPEN;
-    return any;
-}
-
 bool mpm_check_mistakes(const MpmDef *def, Status *status)
 {
     enum { ALL = -1 };
@@ -108,6 +90,13 @@ bool mpm_check_mistakes(const MpmDef *def, Status *status)
     const char *const key = bodies ? "mpm.body_mistake" : "mpm.mistake";
     const Mistake *row = mistake_of(def->problem, def->mistake),
                   *beside = mistake_of(def->problem, def->mistake_beside);
+    bool touching = def->n_bodies > 1, apart = row->does != 0 && row != beside;
+    for (int wall = 0; wall < WALLS; wall++)
+        touching = touching || def->walls[wall] != WALL_OPEN;
+    for (size_t k = 0; k < sizeof alternatives / sizeof *alternatives; k++) {
+        const uint64_t first = row->does & alternatives[k], second = beside->does & alternatives[k];
+        apart = apart && (first == 0 || second == 0 || first == second);
+    }
     const struct {
         int only;
         bool fits;
@@ -122,7 +111,7 @@ bool mpm_check_mistakes(const MpmDef *def, Status *status)
         {ONLY_TURNING, def->rotation == ROTATION_JAUMANN, "mpm.rotation = jaumann"},
         {ONLY_CONTACT, def->fields == FIELDS_EACH && def->n_bodies > 1,
          "contact.fields = each and two bodies"},
-        {ONLY_TOUCHING, touches(def), "walls or two bodies"},
+        {ONLY_TOUCHING, touching, "walls or two bodies"},
         {ONLY_FLIP, def->transfer == MPM_FLIP, "mpm.transfer = flip"},
         {ONLY_APIC, def->transfer == MPM_APIC, "mpm.transfer = apic"},
         {ALL, !bar || def->transfer != MPM_FMPM, "mpm.transfer = flip or apic"},
@@ -132,7 +121,7 @@ bool mpm_check_mistakes(const MpmDef *def, Status *status)
         {ALL, !bar || def->joint == 0.0, "bar2.joint = 0"},
         {ALL, !def->forces, "the forces of [load]"},
     };
-    if (def->mistake_beside != 0 && !can_be_both(row, beside))
+    if (def->mistake_beside != 0 && !apart)
         return status_refuse(status, "%s: these two cannot be combined", key);
     for (size_t k = 0; def->mistake != 0 && k < sizeof conditions / sizeof *conditions; k++)
         if ((conditions[k].only == ALL || ((row->only | beside->only) & (unsigned)conditions[k].only)) &&
