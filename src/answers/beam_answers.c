@@ -36,11 +36,6 @@ static void release(void *answers)
         moving_cantilever_free(beam->moving);
 }
 
-static BeamAnswers *own_create(References *refs, Status *status)
-{
-    return plan_own(refs, sizeof(BeamAnswers), release, status);
-}
-
 BeamTheory beam_theory_of(const Settings *settings)
 {
     return (BeamTheory){.length = settings_geometry(settings)->length,
@@ -90,19 +85,6 @@ ANSWER(v_plane, beam_midpoint_velocity(&own(refs)->theory, own(refs)->body.plane
 ANSWER(u_rest, beam_sag(&own(refs)->body.real, own(refs)->body.weight))
 ANSWER(u_solved, own(refs)->body.solved)
 
-static void plan_rest(References *refs, const Simulation *sim)
-{
-    static const Quantity rest = {"u_rest", "Timoshenko", "m",
-                                  "the middle at rest by Timoshenko, at the beam's real span and height"};
-    static const Quantity solved = {"u_solved", "one solution", "m",
-                                    "the probe of this very lattice at rest, by one solution"};
-    plan_method(refs, sim, "u_probe");
-    plan_method(refs, sim, "v_probe");
-    plan_answer(refs, &rest, COLUMN_EXACT, "u_probe", u_rest);
-    if (isfinite(own(refs)->body.solved))
-        plan_answer(refs, &solved, COLUMN_PREDICTED, "u_probe", u_solved);
-}
-
 /* Under its weight: what the lattice comes to rest at against one solution of it, and that against theory. */
 int beam_find_rest(const References *refs, const Simulation *sim, Finding *out)
 {
@@ -140,7 +122,11 @@ bool beam_prepare_supported(References *refs, const Settings *settings, const Si
     static const Quantity u_p = {"u_plane", "plane", "m",
                                  "mid-point displacement by the exact plane problem"};
     static const Quantity v_p = {"v_plane", "plane", "m/s", "mid-point velocity by the exact plane problem"};
-    BeamAnswers *beam = own_create(refs, status);
+    static const Quantity rest = {"u_rest", "Timoshenko", "m",
+                                  "the middle at rest by Timoshenko, at the beam's real span and height"};
+    static const Quantity solved = {"u_solved", "one solution", "m",
+                                    "the probe of this very lattice at rest, by one solution"};
+    BeamAnswers *beam = plan_own(refs, sizeof *beam, release, status);
     if (!beam)
         return false;
     beam->theory = beam_theory_of(settings);
@@ -149,12 +135,14 @@ bool beam_prepare_supported(References *refs, const Settings *settings, const Si
     beam->timoshenko = beam_period_timoshenko(&beam->theory);
     beam->timoshenko_real = beam_period_timoshenko(&body->real);
     beam->theory.damping = body->damping;
-    if (body->weight != 0) {
-        plan_rest(refs, sim);
-        return true;
-    }
     plan_method(refs, sim, "u_probe");
     plan_method(refs, sim, "v_probe");
+    if (body->weight != 0) {
+        plan_answer(refs, &rest, COLUMN_EXACT, "u_probe", u_rest);
+        if (isfinite(body->solved))
+            plan_answer(refs, &solved, COLUMN_PREDICTED, "u_probe", u_solved);
+        return true;
+    }
     plan_answer(refs, &u_e, COLUMN_EXACT, "u_probe", u_euler);
     plan_answer(refs, &v_e, COLUMN_EXACT, "v_probe", v_euler);
     plan_answer(refs, &u_t, COLUMN_EXACT, "u_probe", u_timoshenko);
@@ -201,14 +189,6 @@ double beam_supported_section(const References *refs, const char *field, double 
     return NAN;
 }
 
-/* Whether it comes back often enough to be measured: a beam that is braked almost critically does not. */
-static bool oscillates(const BeamAnswers *beam)
-{
-    const double most = 0.9,
-                 slowest = fmax(beam->timoshenko, beam->body.predicted); /* NAN counts for nothing */
-    return beam->body.damping * slowest / (4 * M_PI) < most;
-}
-
 /* Beam theory is Timoshenko's period of the beam as it was asked for, and the same at its real size that of
  * the beam as it lies on the lattice, a little thinner and shorter; predicted is the lattice's own. */
 void beam_read_supported(const References *refs, const double *rows, size_t n_rows, int n_columns,
@@ -219,7 +199,10 @@ void beam_read_supported(const References *refs, const double *rows, size_t n_ro
     const BeamAnswers *beam = own(refs);
     const double damping = beam->body.damping;
     out->exact = beam_damped_period(beam->timoshenko, damping);
-    out->moving = (beam->theory.amplitude != 0 || beam->body.weight != 0) && oscillates(beam);
+    /* a beam that is braked almost critically does not come back often enough to be measured */
+    const double most = 0.9, slowest = fmax(beam->timoshenko, beam->body.predicted); /* without NAN */
+    out->moving =
+        (beam->theory.amplitude != 0 || beam->body.weight != 0) && damping * slowest / (4 * M_PI) < most;
     if (!out->moving)
         return;
     out->exact_known = true;
@@ -283,7 +266,7 @@ bool beam_prepare_moving(References *refs, const Settings *settings, const Simul
                                  "v_probe without its thickness modes: the end of the straight line "
                                  "through the last 0.1 ms"};
     const double window = 1e-4;
-    BeamAnswers *beam = own_create(refs, status);
+    BeamAnswers *beam = plan_own(refs, sizeof *beam, release, status);
     if (!beam)
         return false;
     beam->theory = beam_theory_of(settings);

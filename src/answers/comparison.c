@@ -168,15 +168,6 @@ static bool fill_lumping(const Standing *run, char *label, char *value)
 
 /* --- what happened --------------------------------------------------------------------------------- */
 
-/* Of a bar in its own unit, of a beam in seconds, which are few. */
-static bool put_time(char *value, double time)
-{
-    if (time >= 0.01)
-        return put(value, "t %.2f", time);
-    snprintf(value, COMPARISON_TEXT_MAX, "t %.12s", text_rounded(time, 3).text);
-    return true;
-}
-
 static bool fill_crossing(const Standing *run, char *label, char *value)
 {
     int count;
@@ -185,10 +176,16 @@ static bool fill_crossing(const Standing *run, char *label, char *value)
     snprintf(label, COMPARISON_TEXT_MAX, "first crossing");
     if (experiment_column(run->experiment, "kinetic_grid") < 0)
         return false; /* there is no grid */
-    for (int i = 0; i < count; i++)
-        if (events[i].kind == EVENT_CROSSING && events[i].step <= sim->step)
-            return put_time(value, (double)events[i].step * sim->dt);
     snprintf(value, COMPARISON_TEXT_MAX, "none yet");
+    for (int i = 0; i < count; i++)
+        if (events[i].kind == EVENT_CROSSING && events[i].step <= sim->step) {
+            /* of a bar in its own unit, of a beam in seconds, which are few */
+            const double time = (double)events[i].step * sim->dt;
+            if (time >= 0.01)
+                return put(value, "t %.2f", time);
+            snprintf(value, COMPARISON_TEXT_MAX, "t %.12s", text_rounded(time, 3).text);
+            break;
+        }
     return true;
 }
 

@@ -25,6 +25,7 @@
 
 static const double by_halves[] = {4, 2, 1, 0.5};
 static const double cells_by_halves[] = {2, 1, 0.5, 0.25, 0.125};
+static const int cells_in_height[] = {2, 4, 8, 16};
 static const double nodes_in_horizon[] = {2, 3, 4, 5, 6, 8};
 /* Paper P's Table 1: horizon and spacing, m, and the period that it prints, s. */
 static const double table_1[][3] = {{5e-3, 1.2e-3, 0.98e-3},    {2.5e-3, 0.6e-3, 0.90e-3},
@@ -34,36 +35,24 @@ static const double table_1[][3] = {{5e-3, 1.2e-3, 0.98e-3},    {2.5e-3, 0.6e-3,
 #define LENGTH_OF(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* delta -> 0 with m = delta/dx kept: converges to the local theory. */
-static bool refine_horizon(const Settings *base, int k, Settings *out)
+static void refine_horizon(Settings *settings, int k)
 {
-    if (k >= LENGTH_OF(by_halves))
-        return false;
-    *out = *base;
-    settings_edit_lattice(out)->horizon *= by_halves[k];
-    settings_edit_lattice(out)->spacing *= by_halves[k];
-    return true;
+    settings_edit_lattice(settings)->horizon *= by_halves[k];
+    settings_edit_lattice(settings)->spacing *= by_halves[k];
 }
 
 /* m -> infinity with delta kept: converges to peridynamics of this horizon, not to the local theory. */
-static bool refine_spacing(const Settings *base, int k, Settings *out)
+static void refine_spacing(Settings *settings, int k)
 {
-    if (k >= LENGTH_OF(nodes_in_horizon))
-        return false;
-    *out = *base;
-    settings_edit_lattice(out)->spacing = settings_lattice(base)->horizon / nodes_in_horizon[k];
-    return true;
+    settings_edit_lattice(settings)->spacing = settings_lattice(settings)->horizon / nodes_in_horizon[k];
 }
 
 /* Paper P's Table 1: horizon and spacing fall together, but not in one proportion, and floor(h/dx) rows make
  * some of the beams thinner; so its periods are not monotone. */
-static bool take_from_table(const Settings *base, int k, Settings *out)
+static void take_from_table(Settings *settings, int k)
 {
-    if (k >= LENGTH_OF(table_1))
-        return false;
-    *out = *base;
-    settings_edit_lattice(out)->horizon = table_1[k][0];
-    settings_edit_lattice(out)->spacing = table_1[k][1];
-    return true;
+    settings_edit_lattice(settings)->horizon = table_1[k][0];
+    settings_edit_lattice(settings)->spacing = table_1[k][1];
 }
 
 static double printed_in_table(int k)
@@ -72,63 +61,38 @@ static double printed_in_table(int k)
 }
 
 /* The bar's cells halved again and again; courant is kept, so the step is halved too. */
-static bool refine_cells(const Settings *base, int k, Settings *out)
+static void refine_cells(Settings *settings, int k)
 {
-    if (k >= LENGTH_OF(cells_by_halves))
-        return false;
-    *out = *base;
-    settings_edit_mesh(out)->cell_size *= cells_by_halves[k];
-    return true;
-}
-
-/* From twice the cell size down: each point takes eight times as long as the one before. */
-static bool refine_bodies(const Settings *base, int k, Settings *out)
-{
-    if (k >= LENGTH_OF(cells_by_halves) - 1)
-        return false;
-    return refine_cells(base, k, out);
+    settings_edit_mesh(settings)->cell_size *= cells_by_halves[k];
 }
 
 /* An even number of cells in the height: a row of nodes lies in the middle. */
-static bool refine_plane_cells(const Settings *base, int k, Settings *out)
+static void refine_plane_cells(Settings *settings, int k)
 {
-    static const int cells_in_height[] = {2, 4, 8, 16};
-    if (k >= LENGTH_OF(cells_in_height))
-        return false;
-    *out = *base;
-    settings_edit_mesh(out)->cell_size = settings_geometry(base)->height / cells_in_height[k];
-    return true;
+    settings_edit_mesh(settings)->cell_size = settings_geometry(settings)->height / cells_in_height[k];
 }
 
 /* The same cells with two, three and four particles along each of their sides. */
 enum { CELLS_IN_LINE = 3, PARTICLES_LEAST = 2 };
 static const char *const particle_lines[] = {"2 x 2", "3 x 3", "4 x 4", NULL};
 
-static bool refine_particles(const Settings *base, int k, Settings *out)
+static void refine_particles(Settings *settings, int k)
 {
-    if (k >= CELLS_IN_LINE * CONVERGENCE_LINES_MAX || !refine_plane_cells(base, k % CELLS_IN_LINE, out))
-        return false;
-    settings_edit_mesh(out)->particles_per_cell = PARTICLES_LEAST + k / CELLS_IN_LINE;
-    return true;
+    refine_plane_cells(settings, k % CELLS_IN_LINE);
+    settings_edit_mesh(settings)->particles_per_cell = PARTICLES_LEAST + k / CELLS_IN_LINE;
 }
 
-/* Cells that grow smaller, then horizons with m kept.
- */
-enum { SIZES_OF_METHOD = 4 };
+/* Cells that grow smaller, then horizons with m kept. */
+enum { SIZES_OF_METHOD = LENGTH_OF(cells_in_height) };
 static const char *const method_lines[] = {"MPM", "bonds", NULL};
 
-static bool refine_methods(const Settings *base, int k, Settings *out)
+static void refine_methods(Settings *settings, int k)
 {
-    if (k < SIZES_OF_METHOD) {
-        if (!refine_plane_cells(base, k, out))
-            return false;
-        out->method = METHOD_MPM;
-        return true;
-    }
-    if (!refine_horizon(base, k - SIZES_OF_METHOD, out))
-        return false;
-    out->method = METHOD_PD;
-    return true;
+    settings->method = k < SIZES_OF_METHOD ? METHOD_MPM : METHOD_PD;
+    if (k < SIZES_OF_METHOD)
+        refine_plane_cells(settings, k);
+    else
+        refine_horizon(settings, k - SIZES_OF_METHOD);
 }
 
 /* T over theory's as delta -> 0 with m kept and nothing corrected. The surface's defect vanishes then; what
@@ -152,24 +116,16 @@ static double limit_of_horizon(const Settings *settings)
     return 1 / sqrt(c11 - c12 * c12 / c11);
 }
 
-static double horizon_of(const Settings *settings)
-{
-    return settings_lattice(settings)->horizon;
-}
-
 static double spacing_of(const Settings *settings)
 {
     return settings_lattice(settings)->spacing;
 }
 
-static double cell_size_of(const Settings *settings)
+/* The horizon, or a cell. */
+static double size_of(const Settings *settings)
 {
-    return settings_mesh(settings)->cell_size;
-}
-
-static double size_by_method(const Settings *settings)
-{
-    return settings->method == METHOD_PD ? horizon_of(settings) : cell_size_of(settings);
+    return settings->method == METHOD_PD ? settings_lattice(settings)->horizon
+                                         : settings_mesh(settings)->cell_size;
 }
 
 enum { VIBRATING_LATTICE = CONCERN_LATTICE | CONCERN_DEFLECTION | CONCERN_BEAM };
@@ -178,25 +134,27 @@ enum { BEAM_OF_CELLS = CONCERN_BEAM | CONCERN_SECTIONS, BEAM_OF_BOTH = BEAM_OF_C
 
 #define BOTH_METHODS(by)                                                                                     \
     {                                                                                                        \
-        "methods", "cells or horizon smaller", "cell or horizon", BEAM_OF_BOTH, by, refine_methods, NULL,    \
-            size_by_method, method_lines, SIZES_OF_METHOD, NULL, false                                       \
+        "methods", "cells or horizon smaller", "cell or horizon", BEAM_OF_BOTH, by, refine_methods,          \
+            SIZES_OF_METHOD + LENGTH_OF(by_halves), NULL, size_of, method_lines, SIZES_OF_METHOD, NULL,      \
+            false                                                                                            \
     }
 
 static const ConvergenceStudy studies[] = {
-    {"cells", "cells smaller", "cell size", CONCERN_BODIES, METHOD_MPM, refine_bodies, NULL, cell_size_of,
-     NULL, 0, NULL, true},
-    {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells, NULL,
-     cell_size_of, NULL, 0, NULL, false},
-    {"cells", "cells smaller", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_plane_cells, NULL, cell_size_of,
-     NULL, 0, NULL, false},
+    /* of bodies each point takes eight times as long as the one before */
+    {"cells", "cells smaller", "cell size", CONCERN_BODIES, METHOD_MPM, refine_cells,
+     LENGTH_OF(cells_by_halves) - 1, NULL, size_of, NULL, 0, NULL, true},
+    {"cells", "cells smaller", "cell size", CONCERN_BAR | CONCERN_MESH, METHOD_MPM, refine_cells,
+     LENGTH_OF(cells_by_halves), NULL, size_of, NULL, 0, NULL, false},
+    {"cells", "cells smaller", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_plane_cells,
+     LENGTH_OF(cells_in_height), NULL, size_of, NULL, 0, NULL, false},
     {"particles", "cells smaller, more particles", "cell size", BEAM_OF_CELLS, METHOD_MPM, refine_particles,
-     NULL, cell_size_of, particle_lines, CELLS_IN_LINE, NULL, false},
-    {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon, NULL,
-     horizon_of, NULL, 0, limit_of_horizon, false},
-    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing, NULL, spacing_of,
-     NULL, 0, NULL, false},
+     CELLS_IN_LINE *CONVERGENCE_LINES_MAX, NULL, size_of, particle_lines, CELLS_IN_LINE, NULL, false},
+    {"delta", "horizon smaller, m kept", "horizon", VIBRATING_LATTICE, METHOD_PD, refine_horizon,
+     LENGTH_OF(by_halves), NULL, size_of, NULL, 0, limit_of_horizon, false},
+    {"m", "m larger, horizon kept", "spacing", VIBRATING_LATTICE, METHOD_PD, refine_spacing,
+     LENGTH_OF(nodes_in_horizon), NULL, spacing_of, NULL, 0, NULL, false},
     {"table", "Table 1 of paper P", "horizon", VIBRATING_LATTICE, METHOD_PD, take_from_table,
-     printed_in_table, horizon_of, NULL, 0, NULL, false},
+     LENGTH_OF(table_1), printed_in_table, size_of, NULL, 0, NULL, false},
     BOTH_METHODS(METHOD_MPM),
     BOTH_METHODS(METHOD_PD),
 };
@@ -213,15 +171,6 @@ int convergence_studies(const Settings *settings, const ConvergenceStudy *out[CO
             (problem->concerns & studies[i].concerns) == studies[i].concerns &&
             settings->method == studies[i].method)
             out[count++] = &studies[i];
-    return count;
-}
-
-int convergence_count(const ConvergenceStudy *study, const Settings *settings)
-{
-    Settings refined;
-    int count = 0;
-    while (count < CONVERGENCE_POINTS_MAX && study->refine(settings, count, &refined))
-        count++;
     return count;
 }
 
@@ -280,12 +229,13 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
                        Status *status)
 {
     ASSERT_INT(k, >=, 0);
-    Settings refined;
+    Settings refined = *settings;
     Status why = {STATUS_DONE, ""};
     *out = (ConvergencePoint){.size = NAN, .nodes = NAN, .error = NAN, .paper = NAN};
     out->prediction.real_height = NAN;
-    if (!study->refine(settings, k, &refined))
+    if (k >= study->points)
         return true;
+    study->refine(&refined, k);
     const Solver *solver = problem_solver(refined.problem, refined.method);
     const bool lattice = refined.method == METHOD_PD;
     out->of_mesh = !lattice;
@@ -405,7 +355,7 @@ bool convergence_lacks(const Convergence *convergence, const Settings *settings,
                        const ConvergenceStudy *study)
 {
     const ConvergencePoint *points;
-    return convergence_known(convergence, settings, study, &points) < convergence_count(study, settings);
+    return convergence_known(convergence, settings, study, &points) < study->points;
 }
 
 /* The point behind those that are known, by convergence_point(). */

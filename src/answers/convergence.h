@@ -25,9 +25,9 @@ typedef struct ConvergenceStudy {
     const char *size;  /* what is refined: "horizon", "cell size" */
     int concerns;      /* of the problems that have it (problem.h), all of them */
     MethodKind method;
-    /* The settings of point k, coarsest first; false: there is no such point. */
-    bool (*refine)(const Settings *base, int k, Settings *out);
-    double (*paper)(int k); /* ConvergencePoint.paper; NULL: the paper gives none */
+    void (*refine)(Settings *, int k); /* to those of point k, coarsest first */
+    int points;                        /* so many; at most CONVERGENCE_POINTS_MAX */
+    double (*paper)(int k);            /* ConvergencePoint.paper; NULL: the paper gives none */
     double (*size_of)(const Settings *);
     const char *const *lines;          /* of several: their names, ended by NULL; else NULL */
     int line_points;                   /* of several: so many points in each, one line after the other */
@@ -50,9 +50,6 @@ typedef struct ConvergencePoint {
 /* The studies that these settings allow; returns how many. `out` has room for CONVERGENCE_STUDIES_MAX. */
 enum { CONVERGENCE_STUDIES_MAX = 4 };
 int convergence_studies(const Settings *, const ConvergenceStudy *out[CONVERGENCE_STUDIES_MAX]);
-
-/* How many points a study has with these settings; at most CONVERGENCE_POINTS_MAX. */
-int convergence_count(const ConvergenceStudy *, const Settings *);
 
 /* Works out point k, which takes from a millisecond to some seconds; Settings.cancel is called on the way.
  * False: given up, or not enough memory. */

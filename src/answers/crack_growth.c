@@ -3,7 +3,6 @@
  * angles over the heights of figure 10, each known only when the crack has grown so far. */
 #include "answers/crack_growth.h"
 
-#include "base/assertion.h"
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_loads.h"
@@ -34,24 +33,18 @@ bool crack_facts(const Simulation *sim, CrackFacts *facts)
     return true;
 }
 
-static bool cost_of_fronts(const Simulation *sim, const CrackFronts *fronts, const Cancel *cancel,
-                           CrackCost *cost)
-{
-    CrackPath paths[CRACK_FRONTS_MAX * CRACK_PATHS_MAX];
-    int count = 0;
-    for (int f = 0; f < fronts->count; f++)
-        for (int k = 0; k < fronts->fronts[f].n_paths; k++)
-            paths[count++] = fronts->fronts[f].paths[k];
-    return crack_cost_along(sim, paths, count, fronts->length, cancel, cost);
-}
-
 bool crack_price(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
                  const Cancel *cancel, CrackPrice *price)
 {
+    CrackPath paths[CRACK_FRONTS_MAX * CRACK_PATHS_MAX];
+    int count = 0;
+    for (int f = 0; fronts && f < fronts->count; f++)
+        for (int k = 0; k < fronts->fronts[f].n_paths; k++)
+            paths[count++] = fronts->fronts[f].paths[k];
     price->critical_energy = settings_bonds(settings)->critical_energy;
-    const bool known =
-        fronts ? cost_of_fronts(sim, fronts, cancel, &price->cost) : crack_cost(sim, cancel, &price->cost);
-    return known && price->cost.area > 0;
+    return (fronts ? crack_cost_along(sim, paths, count, fronts->length, cancel, &price->cost)
+                   : crack_cost(sim, cancel, &price->cost)) &&
+           price->cost.area > 0;
 }
 
 void crack_fronts_facts(const CrackFronts *fronts, FrontsFacts *facts)
@@ -100,19 +93,18 @@ void crack_fronts_lines(const FrontsFacts *facts, double rayleigh, const char *m
 
 double crack_speed_at(const CrackFronts *fronts, const CrackFront *front, size_t sample)
 {
-    ASSERT_INDEX(sample, fronts->n_samples);
     return crack_fronts_speed(fronts, front, sample);
+}
+
+size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)
+{
+    return crack_path(sim, x, y, max);
 }
 
 double crack_rayleigh_speed(const Settings *settings)
 {
     return crack_speed_rayleigh(settings_material(settings)->youngs_modulus,
                                 settings_material(settings)->density);
-}
-
-size_t crack_line(const Simulation *sim, double *x, double *y, size_t max)
-{
-    return crack_path(sim, x, y, max);
 }
 
 static void keep_place(CrackLine *line, double x, double y, bool begins)
@@ -124,25 +116,18 @@ static void keep_place(CrackLine *line, double x, double y, bool begins)
     line->begins[line->count++] = begins;
 }
 
-/* The path of a notched beam, and its notch below it. */
-static void keep_path(const Simulation *sim, const Settings *settings, CrackLine *out)
-{
-    double x[CRACK_LINE_MAX], y[CRACK_LINE_MAX];
-    const size_t count = crack_line(sim, x, y, CRACK_LINE_MAX);
-    const double notch = settings_notch(settings)->position;
-    if (count == 0)
-        return;
-    keep_place(out, notch, 0, true);
-    keep_place(out, notch, settings_notch(settings)->depth, false);
-    for (size_t i = 0; i < count; i++)
-        keep_place(out, x[i], y[i], false);
-}
-
 void crack_line_keep(const Simulation *sim, const Settings *settings, const CrackFronts *fronts,
                      CrackLine *out)
 {
+    double x[CRACK_LINE_MAX], y[CRACK_LINE_MAX];
+    const size_t count = crack_path(sim, x, y, CRACK_LINE_MAX);
     out->count = 0;
-    keep_path(sim, settings, out);
+    if (count > 0) { /* of a notched beam, and its notch below it */
+        keep_place(out, settings_notch(settings)->position, 0, true);
+        keep_place(out, settings_notch(settings)->position, settings_notch(settings)->depth, false);
+    }
+    for (size_t i = 0; i < count; i++)
+        keep_place(out, x[i], y[i], false);
     bool grown = false;
     for (int f = 0; fronts && f < fronts->count; f++)
         for (int k = 0; k < fronts->fronts[f].n_paths; k++) {

@@ -85,16 +85,6 @@ void references_reset(References *refs)
     refs->window.filled = refs->window.next = 0;
 }
 
-static void remember(Window *window, double value)
-{
-    if (window->size == 0)
-        return;
-    window->values[window->next] = value;
-    window->next = (window->next + 1) % window->size;
-    if (window->filled < window->size)
-        window->filled++;
-}
-
 static void fill_row(References *refs, long step, double time, const double *method_row,
                      const double *earlier, double *row)
 {
@@ -115,8 +105,12 @@ static void fill_row(References *refs, long step, double time, const double *met
 void references_row(References *refs, long step, double time, const double *method_row, double *row)
 {
     ASSERT_INT(step, >=, 0);
-    if (refs->window.size > 0)
-        remember(&refs->window, method_row[refs->window.of]);
+    Window *window = &refs->window;
+    if (window->size > 0) {
+        window->values[window->next] = method_row[window->of];
+        window->next = (window->next + 1) % window->size;
+        window->filled += window->filled < window->size;
+    }
     fill_row(refs, step, time, method_row, NULL, row);
 }
 

@@ -401,27 +401,19 @@ void step_modes_free(StepModes *modes)
     free(modes);
 }
 
-/* Beyond its limit a mode without damping has two real eigenvalues below 0, lambda and 1/lambda, and each has
- * its part in the start: the one that decays tells nothing of a run that the other takes over. */
-static bool partner_grows(const StepModes *modes, const Part *part)
-{
-    if (!flips(part))
-        return false;
-    for (int k = 0; k < modes->count; k++) {
-        const Part *other = &modes->parts[k];
-        if (flips(other) && growth(other) >= grows && other->share > part->share / 10)
-            return true;
-    }
-    return false;
-}
-
 StepMode step_modes_largest(const StepModes *modes)
 {
     if (modes->largest < 0)
         return (StepMode){.frequency = NAN, .decay = NAN, .overlap = NAN};
     const Part *part = &modes->parts[modes->largest];
-    return (StepMode){.known =
-                          part->residual < converged && growth(part) < grows && !partner_grows(modes, part),
+    bool known = part->residual < converged && growth(part) < grows;
+    /* Beyond its limit a mode without damping has two real eigenvalues below 0, lambda and 1/lambda, and each
+     * has its part in the start: the one that decays tells nothing of a run that the other takes over. */
+    for (int k = 0; k < modes->count && known && flips(part); k++) {
+        const Part *other = &modes->parts[k];
+        known = !(flips(other) && growth(other) >= grows && other->share > part->share / 10);
+    }
+    return (StepMode){.known = known,
                       .frequency = fabs(part->angle) / modes->dt,
                       .decay = part->decay / modes->dt,
                       .overlap = modes->overlap};

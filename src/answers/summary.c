@@ -228,24 +228,20 @@ static void add_readout(char out[SUMMARY_MAX], const Readout *readout, const cha
                     strcmp(readout->column, "strain") == 0 ? " (measured on the strain energy)" : "");
 }
 
-/* How fast a damped oscillation dies, and how fast it oscillates meanwhile. */
-static void add_decay(char out[SUMMARY_MAX], const Readout *readout)
+/* How fast a damped oscillation dies, and how fast it oscillates meanwhile; what a motion that dies keeps.
+ * One that theory says is kept has E* for that. */
+static void add_decay(char out[SUMMARY_MAX], const Readout *readout, bool wrong)
 {
-    if (!isfinite(readout->decay_exact))
-        return;
-    text_append(out, SUMMARY_MAX, "decay");
-    add_known(out, "measured", isfinite(readout->decay_measured), readout->decay_measured);
-    add_known(out, "theory", true, readout->decay_exact);
-    text_append(out, SUMMARY_MAX, "  1/s, half the damping\nfrequency");
-    add_known(out, "measured", readout->measured_known, 1 / readout->measured);
-    add_known(out, "predicted", readout->predicted_known, 1 / readout->predicted);
-    add_known(out, "theory", readout->exact_known, 1 / readout->exact);
-    text_append(out, SUMMARY_MAX, "  Hz\n");
-}
-
-/* What a motion that dies keeps; one that theory says is kept has E* for that. */
-static void add_kept(char out[SUMMARY_MAX], const Readout *readout, bool wrong)
-{
+    if (isfinite(readout->decay_exact)) {
+        text_append(out, SUMMARY_MAX, "decay");
+        add_known(out, "measured", isfinite(readout->decay_measured), readout->decay_measured);
+        add_known(out, "theory", true, readout->decay_exact);
+        text_append(out, SUMMARY_MAX, "  1/s, half the damping\nfrequency");
+        add_known(out, "measured", readout->measured_known, 1 / readout->measured);
+        add_known(out, "predicted", readout->predicted_known, 1 / readout->predicted);
+        add_known(out, "theory", readout->exact_known, 1 / readout->exact);
+        text_append(out, SUMMARY_MAX, "  Hz\n");
+    }
     if (!(readout->kept_predicted < READOUT_UNDAMPED))
         return;
     text_append(out, SUMMARY_MAX, wrong ? "with a mistake a period keeps" : "a period keeps");
@@ -266,9 +262,12 @@ static void add_time(char out[SUMMARY_MAX], const char *word, double seconds, co
 }
 
 /* Each share per area of the crack, so that it can be set beside G0. */
-static void add_cost(char out[SUMMARY_MAX], const CrackPrice *price)
+static void add_cost(char out[SUMMARY_MAX], const RunSummary *summary)
 {
+    const CrackPrice *price = &summary->price;
     const CrackCost *cost = &price->cost;
+    if (!summary->price_known)
+        return;
     text_append(out, SUMMARY_MAX, "cost  %.1f J/m^2: path %.1f  beside %.1f  far %.1f\n",
                 cost->total / cost->area, cost->through / cost->area, cost->beside / cost->area,
                 cost->far / cost->area);
@@ -285,11 +284,11 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
         char lines[2][160];
         crack_fronts_lines(&summary->fronts, summary->rayleigh_speed, microseconds, lines[0], lines[1]);
         text_append(out, SUMMARY_MAX, "cracks  %s\n%s%s", lines[0], lines[1], lines[1][0] ? "\n" : "");
-        if (summary->price_known)
-            add_cost(out, &summary->price);
     }
-    if (!summary->crack_known)
+    if (!summary->crack_known) {
+        add_cost(out, summary);
         return;
+    }
     add_time(out, "crack  first break", crack->first_break, "none", microseconds);
     add_time(out, "  twentieth", crack->twentieth_break, "none", microseconds);
     add_time(out, "  protected zone", crack->arrival, "not yet", microseconds);
@@ -311,8 +310,7 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
     if (crack->fastest > 0)
         text_append(out, SUMMARY_MAX, "tip's speed  at most %.0f m/s = %.2f c_R\n", crack->fastest,
                     crack->fastest / summary->rayleigh_speed);
-    if (summary->price_known)
-        add_cost(out, &summary->price);
+    add_cost(out, summary);
 }
 
 /* The energy's change in per cent; less than 5e-4 % is written as 0. */
@@ -353,8 +351,7 @@ void summary_text(const RunSummary *summary, const Settings *settings, char out[
     if (!summary->crack_known && !summary->fronts_known)
         add_readout(out, &summary->readout, facts->answer, summary->n_findings > 0 || summary->at_rest,
                     summary->mistake != NULL);
-    add_decay(out, &summary->readout);
-    add_kept(out, &summary->readout, summary->mistake != NULL);
+    add_decay(out, &summary->readout, summary->mistake != NULL);
     char found[SUMMARY_MAX];
     const int in_a_line = summary->n_findings > 4 ? 2 : 4;
     for (int i = 0; i < summary->n_findings; i += in_a_line) {

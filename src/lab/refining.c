@@ -59,7 +59,7 @@ void refining_work(Laboratory *lab)
         return;
     convergence_begin(&lab->refining.convergence, settings);
     waiting.point = 1 + convergence_known(&lab->refining.convergence, settings, waiting.study, &points);
-    waiting.count = convergence_count(waiting.study, settings);
+    waiting.count = waiting.study->points;
     lab->work_since = lab->host.now(lab->host.context);
     const Cancel cancel = {wait_for_point, &waiting};
     if (convergence_next(&lab->refining.convergence, waiting.study, cancel, &status)) {

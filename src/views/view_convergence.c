@@ -218,7 +218,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     }
     const Settings *settings = screen_settings(screen);
     Study study = {.of = of,
-                   .count = convergence_count(of, settings),
+                   .count = of->points,
                    .periods = settings->problem->si,
                    .limit = convergence_limit(of, settings)};
     study.line_points = of->lines ? of->line_points : study.count;

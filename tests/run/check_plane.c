@@ -136,7 +136,7 @@ START_TEST(cells_go_to_nothing)
     settings_default(&settings, &problem_supported_beam);
     set(&settings, "scenario.method", "mpm");
     ck_assert_int_eq(convergence_studies(&settings, studies), 3);
-    ck_assert_int_eq(convergence_count(studies[0], &settings), 4);
+    ck_assert_int_eq(studies[0]->points, 4);
     static const double errors[] = {-1.39, -.359, -.091, -.023};
     for (int k = 0; k < 4; k++) {
         Status status = {STATUS_DONE, ""};
@@ -169,7 +169,7 @@ START_TEST(more_particles_lock)
     set(&settings, "scenario.method", "mpm");
     convergence_studies(&settings, studies);
     ck_assert_str_eq(studies[1]->word, "particles");
-    ck_assert_int_eq(convergence_count(studies[1], &settings), 9);
+    ck_assert_int_eq(studies[1]->points, 9);
     for (int k = 0; k < 9; k++)
         ck_assert(convergence_point(studies[1], &settings, k, &points[k], &(Status){STATUS_DONE, ""}));
     ck_assert_double_eq_tol(points[1].error, -.359, 2e-3);
@@ -195,7 +195,7 @@ START_TEST(both_methods_converge_side_by_side)
             set(&settings, "beam.poisson", "0");
         const int last = convergence_studies(&settings, studies) - 1;
         ck_assert_str_eq(studies[last]->word, "methods");
-        ck_assert_int_eq(convergence_count(studies[last], &settings), 8);
+        ck_assert_int_eq(studies[last]->points, 8);
         ck_assert(convergence_point(studies[last], &settings, 1, &cells_point, &(Status){STATUS_DONE, ""}));
         ck_assert(convergence_point(studies[last], &settings, 5, &horizon_point, &(Status){STATUS_DONE, ""}));
         ck_assert_double_eq_tol(cells_point.size, 1.25e-3, 1e-12);
