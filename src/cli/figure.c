@@ -113,7 +113,7 @@ static bool plan(Frames *frames, const Screen *screen, const View *view, const S
     if (!frames_plan(frames, settings, experiment_simulation(experiment)->dt,
                      experiment_last_step(experiment), status))
         return false;
-    if (view_shows_start(view, screen)) {
+    if (view->shows_start && view->shows_start(screen, view_variant(view, screen))) {
         frames->count = 1;
         frames->steps[0] = 0;
     }

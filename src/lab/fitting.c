@@ -18,7 +18,7 @@
 static const char *series_of(const Laboratory *lab, int *y)
 {
     const Simulation *sim = laboratory_simulation(lab);
-    const char *shown = view_time_curve(&lab->screen);
+    const char *shown = view_curve(&lab->screen, true);
     *y = overlay_column_for(&lab->overlay, shown, false);
     if (*y >= 0 && simulation_find_series(sim, shown) >= 0)
         return shown;
@@ -141,7 +141,7 @@ bool fitting_diagnose(Laboratory *lab, const char *words, Status *status)
     if (sound) {
         diagnosis_sum_up(found, table, lab->diagnosis, sizeof lab->diagnosis);
         /* Their curve in the place of what lay over the plots. */
-        const char *curve = view_time_curve(&lab->screen);
+        const char *curve = view_curve(&lab->screen, true);
         Overlay theirs;
         const bool any = diagnose_overlay(table, &theirs);
         if (any && (overlay_choose(&theirs, "time", NULL, curve, "", NULL) ||

@@ -110,7 +110,7 @@ static const Offers *offers_of(const Screen *screen)
 const char *pane_command_brief(const Command *command)
 {
     const View *view = view_of_digit(command_digit(command->id));
-    return view ? view->brief : command->brief;
+    return !view ? command->brief : view->brief ? view->brief : view->word;
 }
 
 const char *pane_command_help(const Command *command)

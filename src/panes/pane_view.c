@@ -65,7 +65,7 @@ void view_describe(const View *view, const Screen *screen, int columns, int rows
         picture->has_axes = false;
         picture->n_notes = 0;
     }
-    picture->of_moment = view->of_moment;
+    picture->of_moment = view->home != PANE_LOWER;
     if (!picture->time[0])
         screen_time_text(screen, experiment_time(screen->experiment), picture->time, sizeof picture->time);
     cells_fit(picture, rows);
@@ -98,7 +98,7 @@ void pane_inspector(const Screen *screen, Area area)
     Picture picture;
     cells_open(&picture, area.rect.width, area.rect.height, area.glyphs);
     view_inspector.describe(screen, 0, &picture);
-    cells_draw(&picture, area, screen_is_focused(screen, PANE_INSPECTOR) ? STYLE_FOCUS : STYLE_HEADING,
+    cells_draw(&picture, area, screen->panes.focus == PANE_INSPECTOR ? STYLE_FOCUS : STYLE_HEADING,
                screen->look.colours);
     const Rect below = cells_below(&picture, area.rect);
     if (below.height > 0) {

@@ -49,7 +49,8 @@ void view_choose_variant(const View *view, Screen *screen, int variant)
 
 bool view_is_on_paper(const View *view, const Screen *screen)
 {
-    return view->on_paper && has_any(screen->experiment, view->on_paper_with) && !view_missing(view, screen);
+    return !view->no_figure && has_any(screen->experiment, view->on_paper_with) &&
+           !view_missing(view, screen);
 }
 
 const char *view_variant_word(const View *view, const Screen *screen, int variant)
@@ -68,18 +69,7 @@ int view_variant_named(const View *view, const Screen *screen, const char *name)
     return -1;
 }
 
-bool view_makes_figure(const View *view, const Screen *screen)
-{
-    return view_is_on_paper(view, screen) &&
-           (!view->variant_word || view->variant_word(screen, view_variant(view, screen)));
-}
-
 const ConvergenceStudy *view_study(const View *view, const Screen *screen)
 {
     return view->study ? view->study(screen, view_variant(view, screen)) : NULL;
-}
-
-bool view_shows_start(const View *view, const Screen *screen)
-{
-    return view->shows_start && view->shows_start(screen, view_variant(view, screen));
 }

@@ -27,11 +27,11 @@ typedef enum ViewOpening { OPENS_ON_DEMAND, OPENS_ALWAYS, OPENS_IN_PLANE } ViewO
 
 struct View {
     const char *word;  /* names it wherever a view is named: small letters and '-', e.g. "energies" */
-    const char *brief; /* for the key line, at most 8 columns */
+    const char *brief; /* for the key line, at most 8 columns; NULL: its word */
     const char *help;  /* one line */
     int digit;         /* the key that shows it, 1 to 9; 0: it is shown by its word alone */
 
-    PaneId home; /* PANE_UPPER: a picture over x; PANE_LOWER: one over time */
+    PaneId home; /* PANE_LOWER: a picture over time; PANE_UPPER: one over x, of one moment */
     ViewOpening opens;
 
     void (*describe)(const Screen *, int variant, Picture *); /* what it shows */
@@ -41,12 +41,11 @@ struct View {
 
     ViewDuel duel;
     bool names_run;         /* in DUEL_IN_AXES: its legend does not say whose picture it is */
-    bool of_moment;         /* shows one moment, not the time up to it */
     bool has_time_axis;     /* along which the arrows move a cursor */
     bool is_list;           /* in which the arrows go from row to row */
     bool is_map;            /* of the body itself: it can be magnified, displacements drawn larger */
     bool is_wide;           /* a drawing across the screen: a lesson's text stands above it, not beside */
-    bool on_paper;          /* makes figures */
+    bool no_figure;         /* makes none */
     unsigned on_paper_with; /* which of these the simulation must have for it; 0: nothing */
     unsigned needs;         /* one of these the simulation must have (method.h); 0: nothing */
     const char *lacking;    /* why there is nothing to show without */
@@ -81,9 +80,9 @@ PaneId view_pane_of_number(const Screen *);
 /* What is in the plot panes when the run is opened: as the scenario says, else as the views like. */
 void views_open(Screen *, const ViewSettings *);
 
-/* The names of the curves on screen: of the plot over time, and of the field along the bar. */
-const char *view_time_curve(const Screen *);
-const char *view_profile_curve(const Screen *);
+/* The name of the curve on screen that is meant, of the plot over time or of the field along the bar: that in
+ * focus, else the first of the list with such an axis. */
+const char *view_curve(const Screen *, bool over_time);
 
 /* The view that is a map; NULL: there is none. */
 const View *view_of_map(void);
@@ -103,17 +102,14 @@ int view_variants(const View *, const Screen *);
 int view_variant(const View *, const Screen *);
 void view_choose_variant(const View *, Screen *, int variant);
 
-/* Whether it can be drawn on paper for this run, and its present variant can. */
+/* Whether it can be drawn on paper for this run. */
 bool view_is_on_paper(const View *, const Screen *);
-bool view_makes_figure(const View *, const Screen *);
 
 /* The word of a variant; NULL: there is no such variant, or only one. */
 const char *view_variant_word(const View *, const Screen *, int variant);
 
 /* Which of them has that word; -1: none. */
 int view_variant_named(const View *, const Screen *, const char *word);
-
-bool view_shows_start(const View *, const Screen *);
 
 /* The study whose points the present variant shows; NULL: none. */
 const ConvergenceStudy *view_study(const View *, const Screen *);

@@ -180,7 +180,6 @@ bool view_map_small(const Screen *screen, Picture *picture)
 
 const View view_beam = {
     .word = "beam",
-    .brief = "beam",
     .help = "the body as it lies, coloured; again: by another field",
     .digit = 8,
     .home = PANE_UPPER,
@@ -188,9 +187,7 @@ const View view_beam = {
     .describe = describe,
     .variant_word = word_of,
     .duel = DUEL_APART,
-    .of_moment = true,
     .is_map = true,
-    .on_paper = true,
     .on_paper_with = HAS_PLANE | HAS_BODIES,
     .shows_start = shows_start,
 };

@@ -18,7 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN_OF_LINE = 8, SHOWN_OF_PLANE = 4, LINKS_MAX = 256, TERM_WIDTH = 10 };
+/* LOW_ROWS: in fewer what is looked at is shown, and not what is beside it. */
+enum { SHOWN_OF_LINE = 8, SHOWN_OF_PLANE = 4, LINKS_MAX = 256, TERM_WIDTH = 10, LOW_ROWS = 10 };
 
 /* Heights in the drawing of a bar, of which the numbers of nodes have the upper end. */
 #define ROWS       12.0
@@ -559,7 +560,7 @@ static void add_arrow(const CellView *view, Picture *picture, size_t rank)
         place_of(view, 1 - view->set, other, arrow.at);
         place_of(view, view->set, view->index, own);
         arrow.side = arrow.at[0] < own[0] ? 1 : -1;
-        if (picture_is_low(picture))
+        if (picture->rows < LOW_ROWS)
             arrow.text[1][0] = '\0';
     }
     picture_arrow(picture, &arrow);
@@ -702,7 +703,7 @@ static void add_things(const CellView *view, Picture *picture)
                 const bool in_sight = at[0] > view->low[0] && at[0] < view->high[0] && at[1] > view->low[1] &&
                                       at[1] < view->high[1];
                 const bool left_out =
-                    !view->line && !linked && (set || (view->n_flows > 0 && picture_is_low(picture)));
+                    !view->line && !linked && (set || (view->n_flows > 0 && picture->rows < LOW_ROWS));
                 if (in_sight && !is_own(view, set, i) && is_link(view, set, i) == linked && !left_out)
                     (set ? add_node : add_particle)(view, picture, i);
             }
@@ -777,13 +778,10 @@ static const char *word_of(const Screen *screen, int variant)
 
 const View view_cell = {
     .word = "cell",
-    .brief = "cell",
     .help = "one cell from near, with the terms of a stage, or one bond; again: masses, or the family",
     .home = PANE_UPPER,
     .describe = describe,
     .variant_word = word_of,
     .duel = DUEL_APART,
-    .of_moment = true,
     .is_wide = true,
-    .on_paper = true,
 };

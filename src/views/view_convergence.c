@@ -258,7 +258,6 @@ const View view_convergence = {
     .describe = describe,
     .variant_word = word_of,
     .duel = DUEL_TOGETHER,
-    .on_paper = true,
     .shows_start = shows_start,
     .study = study_of,
 };

@@ -439,5 +439,4 @@ const View view_dispersion = {
     .describe = describe,
     .variant_word = word_of,
     .duel = DUEL_TOGETHER,
-    .on_paper = true,
 };

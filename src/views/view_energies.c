@@ -101,12 +101,8 @@ static Stack stack_of(const Screen *screen)
     return stack;
 }
 
-/* Whether single oscillations are seen; no screen is as fine. */
-static bool is_fine(const Picture *picture)
-{
-    enum { DOTS = 500 };
-    return picture->dots >= DOTS;
-}
+/* Dots across in which single oscillations are seen; no screen is as fine. */
+enum { FINE = 500 };
 
 /* How long one oscillation takes, as well as it is known; 0: nothing oscillates steadily. */
 static double oscillation_period(const Screen *screen)
@@ -155,7 +151,7 @@ static void add_bands(Picture *picture, const Stack *stack, double period, bool 
     const Record *record = stack->record;
     const double step = (plot->x.high - plot->x.low) / dots;
     const size_t begin = record_find(record, plot->x.low), last = record_find(record, plot->x.high);
-    const bool every_row = !means && last - begin < (size_t)dots && is_fine(picture);
+    const bool every_row = !means && last - begin < (size_t)dots && dots >= FINE;
     const double newest = record->count && !every_row ? record_row(record, record->count - 1)[1] : -INFINITY;
     for (int layer = 0; layer < stack->count; layer++) {
         const Style style = stack->layers[layer].style;
@@ -329,7 +325,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
                    screen_problem(screen)->si ? "J" : "");
     add_keys(picture, &stack, runs, n_runs, second, most_work > 0);
     const double period = oscillation_period(screen);
-    const bool means = period > 0 && !is_fine(picture);
+    const bool means = period > 0 && picture->dots < FINE;
     add_bands(picture, &stack, period, means);
     if (means) {
         /* Each band that is high enough has its name in it: colours alone would not distinguish them. */
@@ -374,6 +370,5 @@ const View view_energies = {
     .variant_word = word_of,
     .names_run = true,
     .has_time_axis = true,
-    .on_paper = true,
     .curve = curve,
 };

@@ -141,21 +141,10 @@ void views_open(Screen *screen, const ViewSettings *settings)
     screen->views.lower = open_named(screen, settings->lower, PANE_LOWER);
 }
 
-/* The view whose curve is meant: that in focus, else the first of the list with such an axis. */
-static const char *curve_of(const Screen *screen, bool over_time)
+const char *view_curve(const Screen *screen, bool over_time)
 {
     const View *view = screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
     for (int i = 0; i < n_views && (!view->curve || view->has_time_axis != over_time); i++)
         view = views[i];
     return view->curve ? view->curve(screen) : "";
-}
-
-const char *view_time_curve(const Screen *screen)
-{
-    return curve_of(screen, true);
-}
-
-const char *view_profile_curve(const Screen *screen)
-{
-    return curve_of(screen, false);
 }

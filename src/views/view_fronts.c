@@ -67,7 +67,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_fronts = {
     .word = "cracks",
-    .brief = "cracks",
     .help = "the cracks of a plate over time: their speed beside Rayleigh's, and how far they have come",
     .home = PANE_LOWER,
     .opens = OPENS_ON_DEMAND,
@@ -75,7 +74,6 @@ const View view_fronts = {
     .variant_word = word_of,
     .duel = DUEL_APART,
     .has_time_axis = true,
-    .on_paper = true,
     .needs = HAS_FRONTS,
     .lacking = "no cut of a plate ends inside, from where a crack would be followed (a notch's: see probe)",
 };

@@ -91,11 +91,11 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_log = {
     .word = "log",
-    .brief = "log",
     .help = "what happened, in words; Enter goes there",
     .digit = 9,
     .home = PANE_LOWER,
     .describe = describe,
     .is_list = true,
     .duel = DUEL_TOGETHER,
+    .no_figure = true,
 };

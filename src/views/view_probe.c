@@ -363,6 +363,5 @@ const View view_probe = {
     .describe = describe,
     .variant_word = word_of,
     .has_time_axis = true,
-    .on_paper = true,
     .curve = curve,
 };

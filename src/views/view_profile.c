@@ -253,14 +253,11 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_profile = {
     .word = "profile",
-    .brief = "profile",
     .help = "along the bar or beam: displacement; again: velocity and other fields",
     .digit = 1,
     .home = PANE_UPPER,
     .opens = OPENS_ALWAYS,
     .describe = describe,
     .variant_word = word_of,
-    .of_moment = true,
-    .on_paper = true,
     .curve = curve,
 };

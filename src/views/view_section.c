@@ -272,15 +272,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_section = {
     .word = "section",
-    .brief = "section",
     .help = "a beam or plate through its height at the chosen particle: displacement; again: bending stress, "
             "shear",
     .home = PANE_UPPER,
     .describe = describe,
     .variant_word = word_of,
     .duel = DUEL_APART,
-    .of_moment = true,
-    .on_paper = true,
     .on_paper_with = HAS_PLANE,
     .needs = HAS_PLANE,
     .lacking = "a bar has no height to look through",

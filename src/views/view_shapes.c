@@ -252,15 +252,12 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_shapes = {
     .word = "shapes",
-    .brief = "shapes",
     .help = "shape functions of the mesh and their slopes; beams: a bond's force and its cut",
     .digit = 4,
     .home = PANE_UPPER,
     .describe = describe,
     .variant_word = word_of,
     .duel = DUEL_APART,
-    .of_moment = true,
-    .on_paper = true,
     .needs = HAS_MESH | HAS_STRETCH,
     .lacking = "this method has no mesh, so no shape functions",
 };

@@ -326,11 +326,9 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_spectrum = {
     .word = "spectrum",
-    .brief = "spectrum",
     .help = "amplitude spectrum of the probe; again: other frequencies, logarithmic",
     .digit = 6,
     .home = PANE_LOWER,
     .describe = describe,
     .variant_word = word_of,
-    .on_paper = true,
 };

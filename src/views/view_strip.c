@@ -24,6 +24,19 @@ typedef struct Strip {
     bool paused;
     size_t count, chosen; /* of particles */
     double *u, k;         /* they are drawn at x0 + k u */
+
+    /* of a bar with a mesh */
+    const double *x0;
+    size_t grid_nodes;
+    int node_x;
+    double spacing, length;
+    bool there; /* the grid: a step is under way */
+
+    /* of one of bonds */
+    long nodes, reach; /* of the bar; bonds to either side */
+    long first, end;   /* in sight: nodes from first to end - 1, mirrored ones below 0 and from `nodes` on */
+    bool walls[2];     /* ends that are fixed, each with a column of its own */
+    double moved;      /* spacings to a displacement of 1, as drawn */
 } Strip;
 
 /* In columns and rows above 0. Outside what is in sight: nothing. */
@@ -83,70 +96,54 @@ static size_t find_links(const Strip *strip, Link links[LINKS_MAX])
 
 /* --- a bar with a mesh ------------------------------------------------------------------------------- */
 
-typedef struct Bar {
-    Strip *strip;
-    const double *x0;
-    size_t nodes;
-    int node_x;
-    double spacing, length;
-    bool there; /* the grid: a step is under way */
-} Bar;
-
-static double node_at(const Bar *bar, size_t node)
+static double node_at(const Strip *strip, size_t node)
 {
-    return simulation_value(bar->strip->sim, bar->node_x, node);
+    return simulation_value(strip->sim, strip->node_x, node);
 }
 
-static double column_of(const Bar *bar, double x)
+static double column_of(const Strip *strip, double x)
 {
-    const StripRow *row = &bar->strip->row;
-    return (x - (double)row->first * bar->spacing) / bar->spacing * row->per;
-}
-
-static double particle_column(const Bar *bar, size_t particle)
-{
-    return column_of(bar, bar->x0[particle] + bar->strip->k * bar->strip->u[particle]);
+    const StripRow *row = &strip->row;
+    return (x - (double)row->first * strip->spacing) / strip->spacing * row->per;
 }
 
 /* Between steps it is empty, and drawn faint. */
-static void add_grid(const Bar *bar)
+static void add_grid(const Strip *strip)
 {
-    const Strip *strip = bar->strip;
     put_across(strip, 0, strip->columns, STYLE_FRAME);
-    for (size_t i = 0; i < bar->nodes; i++) {
-        const double x = node_at(bar, i), column = column_of(bar, x), half = bar->spacing / 2;
-        const signed char side = x < bar->length / 2 ? -1 : 1;
+    for (size_t i = 0; i < strip->grid_nodes; i++) {
+        const double x = node_at(strip, i), column = column_of(strip, x), half = strip->spacing / 2;
+        const signed char side = x < strip->length / 2 ? -1 : 1;
         const PictureMark wall = {column, 0, 0x2592, STYLE_FRAME, MARK_BESIDE, .side = {side, 0}};
-        put(strip, (PictureMark){column, 0, 0x253c, bar->there ? STYLE_NORMAL : STYLE_FRAME,
+        put(strip, (PictureMark){column, 0, 0x253c, strip->there ? STYLE_NORMAL : STYLE_FRAME,
                                  .is_target = true, .thing = {1, i}});
-        if (simulation_named(strip->sim, 1, "fixed", i) > 0 && x > -half && x < bar->length + half)
+        if (simulation_named(strip->sim, 1, "fixed", i) > 0 && x > -half && x < strip->length + half)
             put_upright(strip, strip->last, wall);
     }
 }
 
 /* One quantity of the nodes, so many columns to the right of each: it grows where particles give to a node,
  * and is gone when the grid is reset. */
-static void add_amounts(const Bar *bar, const char *field, const char *name, signed char right, bool put_back,
-                        Style style)
+static void add_amounts(const Strip *strip, const char *field, const char *name, signed char right,
+                        bool put_back, Style style)
 {
-    double *values = malloc(bar->nodes * sizeof *values);
-    const double most = values ? screen_node_values(bar->strip->screen, field, put_back, values) : 0;
-    for (size_t i = 0; i < bar->nodes && most > 0; i++) {
+    double *values = malloc(strip->grid_nodes * sizeof *values);
+    const double most = values ? screen_node_values(strip->screen, field, put_back, values) : 0;
+    for (size_t i = 0; i < strip->grid_nodes && most > 0; i++) {
         const double share = fabs(values[i]) / most;
         if (share > 1e-6)
-            put(bar->strip,
-                (PictureMark){column_of(bar, node_at(bar, i)), 0, 0, put_back ? STYLE_FAINT : style, MARK_BAR,
-                              .side = {right, 0}, .share = put_back ? 0 : share});
+            put(strip,
+                (PictureMark){column_of(strip, node_at(strip, i)), 0, 0, put_back ? STYLE_FAINT : style,
+                              MARK_BAR, .side = {right, 0}, .share = put_back ? 0 : share});
     }
     free(values);
     if (!put_back)
-        picture_key(bar->strip->picture, (PictureKey){.style = style, .name = name});
+        picture_key(strip->picture, (PictureKey){.style = style, .name = name});
 }
 
 /* The chosen particle, its nodes, and what passes between them. */
-static void add_links(const Bar *bar, Flow flow)
+static void add_links(const Strip *strip, Flow flow)
 {
-    const Strip *strip = bar->strip;
     Link links[LINKS_MAX];
     const size_t found = find_links(strip, links);
     const bool to_nodes = flow == FLOW_TO_NODES, to_particles = flow == FLOW_TO_PARTICLES;
@@ -157,7 +154,7 @@ static void add_links(const Bar *bar, Flow flow)
     /* listed below the other words where there is room */
     picture_label(strip->picture, 0, 0, 0, STYLE_HEADING, "particle %zu and its nodes", strip->chosen);
     for (size_t i = 0; i < found; i++) {
-        const double x = node_at(bar, links[i].index), column = column_of(bar, x);
+        const double x = node_at(strip, links[i].index), column = column_of(strip, x);
         picture_label(strip->picture, 0, 0, 0, STYLE_NORMAL, "node %zu  x %s  N %s  N' %s", links[i].index,
                       text_fitted(x, 5, 10).text, text_fitted(links[i].weight, 4, 10).text,
                       text_fitted(links[i].gradient[0], 4, 10).text);
@@ -166,43 +163,42 @@ static void add_links(const Bar *bar, Flow flow)
         put(strip, (PictureMark){column, 0, 0x25cf, of_node, .kind = MARK_PLACE});
         put_upright(strip, strip->last - 1, (PictureMark){column, -1, way, of_way, .kind = MARK_PLACE});
     }
-    const double own = particle_column(bar, strip->chosen);
+    const double own = column_of(strip, strip->x0[strip->chosen] + strip->k * strip->u[strip->chosen]);
     if (strip->paused)
         put(strip, (PictureMark){own, -strip->last, 0x25cf, of_particle, .kind = MARK_PLACE});
     const size_t chosen = strip->screen->chosen.node;
-    if (strip->paused && strip->screen->chosen.is_node && chosen < bar->nodes)
-        put(strip, (PictureMark){column_of(bar, node_at(bar, chosen)), 0, 0x25a0, STYLE_CHANGED,
+    if (strip->paused && strip->screen->chosen.is_node && chosen < strip->grid_nodes)
+        put(strip, (PictureMark){column_of(strip, node_at(strip, chosen)), 0, 0x25a0, STYLE_CHANGED,
                                  .kind = MARK_PLACE});
 }
 
 static void describe_bar(Strip *strip, const double *x0)
 {
     const Simulation *sim = strip->sim;
-    Bar bar = {.strip = strip,
-               .x0 = x0,
-               .nodes = sim->counts[1],
-               .node_x = simulation_find_field(sim, 1, "x"),
-               .there = experiment_stage(strip->screen->experiment) > 0};
-    if (bar.nodes < 2 || bar.node_x < 0)
+    strip->x0 = x0;
+    strip->grid_nodes = sim->counts[1];
+    strip->node_x = simulation_find_field(sim, 1, "x");
+    strip->there = experiment_stage(strip->screen->experiment) > 0;
+    if (strip->grid_nodes < 2 || strip->node_x < 0)
         return;
-    bar.spacing = node_at(&bar, bar.nodes / 2) - node_at(&bar, bar.nodes / 2 - 1);
-    bar.length = x0[strip->count - 1] + sim->spacing / 2;
-    enlarge(strip, bar.spacing);
+    strip->spacing = node_at(strip, strip->grid_nodes / 2) - node_at(strip, strip->grid_nodes / 2 - 1);
+    strip->length = x0[strip->count - 1] + sim->spacing / 2;
+    enlarge(strip, strip->spacing);
     picture_lay_strip(strip->picture, STRIP_CELLS, "the bar: its grid, and its particles");
     /* beyond its end a cell more, into which it may stretch */
-    strip->row = (StripRow){.pieces = lround(bar.length / bar.spacing),
+    strip->row = (StripRow){.pieces = lround(strip->length / strip->spacing),
                             .beyond = 1,
                             .aside = 1,
-                            .around = (long)floor(x0[strip->chosen] / bar.spacing)};
+                            .around = (long)floor(x0[strip->chosen] / strip->spacing)};
     picture_lay_row(strip->picture, &strip->row);
     open_axes(strip, strip->row.shown * strip->row.per + (strip->row.shown <= strip->row.pieces));
     bool inside;
     const Flow flow = flow_of_stage(strip->screen, &inside);
-    const bool put_back = flow == FLOW_FORGET && !bar.there;
-    add_grid(&bar);
-    if (strip->paused && (bar.there || put_back)) {
-        add_amounts(&bar, "mass", "mass", 0, put_back, STYLE_SECOND);
-        add_amounts(&bar, "momentum", "|momentum|", 1, put_back, STYLE_PREDICTED);
+    const bool put_back = flow == FLOW_FORGET && !strip->there;
+    add_grid(strip);
+    if (strip->paused && (strip->there || put_back)) {
+        add_amounts(strip, "mass", "mass", 0, put_back, STYLE_SECOND);
+        add_amounts(strip, "momentum", "|momentum|", 1, put_back, STYLE_PREDICTED);
     }
     /* The ends of the particles' domains, where these have a length of their own: it is drawn enlarged as
      * places are, a change of length k times as large. Where they would stand too close to be distinguished,
@@ -210,93 +206,87 @@ static void describe_bar(Strip *strip, const double *x0)
     const int stretch = simulation_find_field(sim, 0, "stretch");
     const double gap = sim->spacing;
     const bool dots = strip->picture->dots > strip->picture->across;
-    const bool all = gap / bar.spacing * strip->row.per >= (dots ? 1.25 : 2);
+    const bool all = gap / strip->spacing * strip->row.per >= (dots ? 1.25 : 2);
     for (size_t i = 0; i < strip->count && stretch >= 0; i++) {
         const double half = gap / 2 * (1 + strip->k * (simulation_value(sim, stretch, i) - 1));
         for (int side = -1; side <= 1 && (all || (dots && i == strip->chosen)); side += 2)
-            put(strip, (PictureMark){column_of(&bar, x0[i] + strip->k * strip->u[i] + side * half),
+            put(strip, (PictureMark){column_of(strip, x0[i] + strip->k * strip->u[i] + side * half),
                                      -strip->last, '|', STYLE_FRAME, .kind = MARK_FINE});
     }
     if (stretch >= 0 && all && strip->picture->heading[0])
         picture_heading(strip->picture, "the bar: its grid, and its particles in their domains");
     for (size_t i = 0; i < strip->count; i++)
-        put(strip, (PictureMark){particle_column(&bar, i), -strip->last, 0x00b7, STYLE_MEASURED, MARK_FINE,
-                                 .ascii = 'o', .is_target = true, .thing = {0, i}});
-    add_links(&bar, flow);
+        put(strip,
+            (PictureMark){column_of(strip, x0[i] + strip->k * strip->u[i]), -strip->last, 0x00b7,
+                          STYLE_MEASURED, MARK_FINE, .ascii = 'o', .is_target = true, .thing = {0, i}});
+    add_links(strip, flow);
     static const char *const flows[] = {[FLOW_TO_NODES] = "↑ particles give to nodes",
                                         [FLOW_TO_PARTICLES] = "↓ particles take",
                                         [FLOW_FORGET] = "the grid is reset"};
-    const StripRow *row = &bar.strip->row;
+    const StripRow *row = &strip->row;
     char text[96];
     if (row->shown < row->pieces)
         snprintf(text, sizeof text, "cells %ld-%ld of %ld", row->first, row->first + row->shown - 1,
                  row->pieces);
     else
         snprintf(text, sizeof text, "%ld cell%s", row->pieces, row->pieces == 1 ? "" : "s");
-    picture_note(bar.strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, "%s", flow ? flows[flow] : text);
-    note_factor(bar.strip, "particles at x0", "u");
+    picture_note(strip->picture, flow ? STYLE_CHANGED : STYLE_FAINT, "%s", flow ? flows[flow] : text);
+    note_factor(strip, "particles at x0", "u");
 }
 
 /* --- a bar of bonds ---------------------------------------------------------------------------------- */
 
-typedef struct NodeRow {
-    Strip *strip;
-    long nodes, reach; /* of the bar; bonds to either side */
-    long first, end;   /* in sight: nodes from first to end - 1, mirrored ones below 0 and from `nodes` on */
-    bool walls[2];     /* ends that are fixed, each with a column of its own */
-    double moved;      /* spacings to a displacement of 1, as drawn */
-} NodeRow;
-
-static double column_at(const NodeRow *row, double node)
+static double column_at(const Strip *strip, double node)
 {
-    const int walls = (row->first < 0 && node > -0.5) + (row->walls[1] && node > (double)row->nodes - 0.5);
-    return (node - (double)row->first + 0.5) * row->strip->row.per + walls;
+    const int walls =
+        (strip->first < 0 && node > -0.5) + (strip->walls[1] && node > (double)strip->nodes - 0.5);
+    return (node - (double)strip->first + 0.5) * strip->row.per + walls;
 }
 
 /* As it is drawn; those beyond a fixed end are mirror images. */
-static double node_column(const NodeRow *row, long node)
+static double node_column(const Strip *strip, long node)
 {
-    const long image = node < 0 ? -1 - node : node >= row->nodes ? 2 * row->nodes - 1 - node : node;
-    return column_at(row, (double)node + (image != node ? -1 : 1) * row->moved * row->strip->u[image]);
+    const long image = node < 0 ? -1 - node : node >= strip->nodes ? 2 * strip->nodes - 1 - node : node;
+    return column_at(strip, (double)node + (image != node ? -1 : 1) * strip->moved * strip->u[image]);
 }
 
 /* Once the bonds have pulled, where each node is drawn to: an arrow for what is at least a third of the
  * largest force, a smaller one for less, none for next to nothing. */
-static void add_forces(const NodeRow *row)
+static void add_forces(const Strip *strip)
 {
-    const Simulation *sim = row->strip->sim;
+    const Simulation *sim = strip->sim;
     const int field = simulation_find_field(sim, 0, "force");
-    double *force = field >= 0 ? malloc(row->strip->count * sizeof *force) : NULL, most = 0;
+    double *force = field >= 0 ? malloc(strip->count * sizeof *force) : NULL, most = 0;
     if (!force)
         return;
-    sim->method->field(sim, field, 0, row->strip->count, force);
-    for (long k = 0; k < row->nodes; k++)
+    sim->method->field(sim, field, 0, strip->count, force);
+    for (long k = 0; k < strip->nodes; k++)
         most = fmax(most, fabs(force[k]));
-    for (long k = 0; k < row->nodes && most > 0; k++) {
+    for (long k = 0; k < strip->nodes && most > 0; k++) {
         const double share = force[k] / most;
         const bool large = fabs(share) >= 1.0 / 3;
         const uint32_t glyph = share > 0 ? (large ? 0x2192 : 0x203a) : large ? 0x2190 : 0x2039;
         if (fabs(share) >= 0.02)
-            put(row->strip, (PictureMark){node_column(row, k), -row->strip->last, glyph, STYLE_CHANGED,
-                                          .kind = MARK_PLACE});
+            put(strip,
+                (PictureMark){node_column(strip, k), -strip->last, glyph, STYLE_CHANGED, .kind = MARK_PLACE});
     }
     free(force);
 }
 
-static void note_nodes(const NodeRow *row, bool pulls, bool mirrors)
+static void note_nodes(const Strip *strip, bool pulls, bool mirrors)
 {
     char text[96];
     if (pulls || mirrors)
         snprintf(text, sizeof text, pulls ? "arrows: bond forces" : "mirror images follow");
-    else if (row->end - row->first < row->nodes)
-        snprintf(text, sizeof text, "nodes %ld-%ld of %ld", row->first < 0 ? 0 : row->first,
-                 (row->end < row->nodes ? row->end : row->nodes) - 1, row->nodes);
-    else if (row->strip->paused)
-        snprintf(text, sizeof text, "bonds of particle %zu", row->strip->chosen);
+    else if (strip->end - strip->first < strip->nodes)
+        snprintf(text, sizeof text, "nodes %ld-%ld of %ld", strip->first < 0 ? 0 : strip->first,
+                 (strip->end < strip->nodes ? strip->end : strip->nodes) - 1, strip->nodes);
+    else if (strip->paused)
+        snprintf(text, sizeof text, "bonds of particle %zu", strip->chosen);
     else
-        snprintf(text, sizeof text, "%ld nodes, %ld bonds each", row->nodes, 2 * row->reach);
-    picture_note(row->strip->picture, pulls || mirrors ? STYLE_CHANGED : STYLE_FAINT, "%s", text);
-    note_factor(row->strip, "nodes at x0", "u");
+        snprintf(text, sizeof text, "%ld nodes, %ld bonds each", strip->nodes, 2 * strip->reach);
+    picture_note(strip->picture, pulls || mirrors ? STYLE_CHANGED : STYLE_FAINT, "%s", text);
+    note_factor(strip, "nodes at x0", "u");
 }
 
 static void describe_bonds(Strip *strip)
@@ -304,51 +294,50 @@ static void describe_bonds(Strip *strip)
     const Settings *settings = experiment_settings(strip->screen->experiment);
     enlarge(strip, strip->sim->spacing);
     const BarSupports ends = settings_supports(settings)->ends;
-    NodeRow row = {.strip = strip,
-                   .nodes = (long)strip->count,
-                   .reach = (long)floor(lattice_reach(settings) / strip->sim->spacing),
-                   .walls = {ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED,
-                             ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED},
-                   .moved = strip->k / strip->sim->spacing};
-    const long before = row.walls[0] ? row.reach : 0;
+    strip->nodes = (long)strip->count;
+    strip->reach = (long)floor(lattice_reach(settings) / strip->sim->spacing);
+    strip->walls[0] = ends == BAR_FIXED_FREE || ends == BAR_FIXED_FIXED;
+    strip->walls[1] = ends == BAR_FREE_FIXED || ends == BAR_FIXED_FIXED;
+    strip->moved = strip->k / strip->sim->spacing;
+    const long before = strip->walls[0] ? strip->reach : 0;
     bool done;
     const char *stage = strip->sim->stages[screen_box_stage(strip->screen, &done)].id;
     const bool inside = strip->paused && done, pulls = inside && strcmp(stage, "bonds") == 0;
     picture_lay_strip(strip->picture, STRIP_NODES, "the bar: its nodes, and the bonds of one");
-    strip->row = (StripRow){.pieces = before + row.nodes + (row.walls[1] ? row.reach : 0),
-                            .aside = row.walls[0] + row.walls[1],
+    strip->row = (StripRow){.pieces = before + strip->nodes + (strip->walls[1] ? strip->reach : 0),
+                            .aside = strip->walls[0] + strip->walls[1],
                             .around = before + (long)strip->chosen};
     picture_lay_row(strip->picture, &strip->row);
-    row.first = strip->row.first - before;
-    row.end = row.first + strip->row.shown;
-    open_axes(strip, strip->row.shown * strip->row.per + (row.first < 0) + (row.end > row.nodes));
-    for (long k = row.first; k < row.end; k++) {
-        const bool mirrored = k < 0 || k >= row.nodes;
-        put(strip, (PictureMark){node_column(&row, k), -strip->last, mirrored ? 0x25cb : 0x00b7,
+    strip->first = strip->row.first - before;
+    strip->end = strip->first + strip->row.shown;
+    open_axes(strip, strip->row.shown * strip->row.per + (strip->first < 0) + (strip->end > strip->nodes));
+    for (long k = strip->first; k < strip->end; k++) {
+        const bool mirrored = k < 0 || k >= strip->nodes;
+        put(strip, (PictureMark){node_column(strip, k), -strip->last, mirrored ? 0x25cb : 0x00b7,
                                  mirrored ? STYLE_FAINT : STYLE_MEASURED, .ascii = mirrored ? 0 : 'o',
                                  .is_target = !mirrored, .thing = {0, mirrored ? 0 : (size_t)k}});
     }
     if (pulls || (inside && strcmp(stage, "load") == 0))
-        add_forces(&row);
+        add_forces(strip);
     if (strip->paused) {
         /* A line over the family of the chosen node, with a tick at each partner. */
         const Style style = pulls ? STYLE_CHANGED : STYLE_SECOND;
-        const long chosen = (long)row.strip->chosen, least = row.walls[0] ? -row.reach : 0,
-                   most = row.nodes - 1 + (row.walls[1] ? row.reach : 0),
-                   from = chosen - row.reach < least ? least : chosen - row.reach,
-                   to = chosen + row.reach > most ? most : chosen + row.reach;
-        put_across(row.strip, column_at(&row, (double)from), column_at(&row, (double)to), style);
+        const long chosen = (long)strip->chosen, least = strip->walls[0] ? -strip->reach : 0,
+                   most = strip->nodes - 1 + (strip->walls[1] ? strip->reach : 0),
+                   from = chosen - strip->reach < least ? least : chosen - strip->reach,
+                   to = chosen + strip->reach > most ? most : chosen + strip->reach;
+        put_across(strip, column_at(strip, (double)from), column_at(strip, (double)to), style);
         for (long k = from; k <= to; k++)
-            put(strip, (PictureMark){column_at(&row, (double)k), 0, k == chosen ? 0x25cf : 0x252c, style,
+            put(strip, (PictureMark){column_at(strip, (double)k), 0, k == chosen ? 0x25cf : 0x252c, style,
                                      .kind = MARK_PLACE});
-        put(strip,
-            (PictureMark){node_column(&row, chosen), -strip->last, 0x25cf, STYLE_SECOND, .kind = MARK_PLACE});
+        put(strip, (PictureMark){node_column(strip, chosen), -strip->last, 0x25cf, STYLE_SECOND,
+                                 .kind = MARK_PLACE});
     }
-    const bool seen[2] = {row.walls[0] && row.first < 0, row.walls[1] && row.end > row.nodes};
+    const bool seen[2] = {strip->walls[0] && strip->first < 0, strip->walls[1] && strip->end > strip->nodes};
     for (int side = 0; side <= 1; side++)
         if (seen[side])
             put_upright(strip, strip->last,
-                        (PictureMark){column_at(&row, side ? (double)row.nodes - 0.5 : -0.5), 0, 0x2592,
+                        (PictureMark){column_at(strip, side ? (double)strip->nodes - 0.5 : -0.5), 0, 0x2592,
                                       STYLE_FRAME, .kind = MARK_PLACE});
     Link links[LINKS_MAX];
     const size_t count = find_links(strip, links);
@@ -357,7 +346,7 @@ static void describe_bonds(Strip *strip)
         picture_label(strip->picture, 0, 0, 0, STYLE_NORMAL, "to %s%zu  stretch %s  pull %s",
                       link_mirror(&links[i]), links[i].index, text_fitted(links[i].stretch, 4, 10).text,
                       text_fitted(link_pull(&links[i]), 4, 10).text);
-    note_nodes(&row, pulls, inside && strcmp(stage, "mirror") == 0);
+    note_nodes(strip, pulls, inside && strcmp(stage, "mirror") == 0);
 }
 
 /* --- a beam ------------------------------------------------------------------------------------------ */
@@ -438,4 +427,4 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     free(values);
 }
 
-const View view_strip = {.word = "strip", .describe = describe, .duel = DUEL_TOGETHER, .of_moment = true};
+const View view_strip = {.word = "strip", .describe = describe, .duel = DUEL_TOGETHER};

@@ -70,7 +70,6 @@ static void describe(const Screen *screen, int variant, Picture *picture)
 
 const View view_table = {
     .word = "tables",
-    .brief = "tables",
     .help = "numbers of particles; again: of nodes; Enter: the marked one over time",
     .digit = 7,
     .home = PANE_UPPER,
@@ -78,5 +77,5 @@ const View view_table = {
     .is_list = true,
     .variants = variants_of,
     .duel = DUEL_APART,
-    .of_moment = true,
+    .no_figure = true,
 };

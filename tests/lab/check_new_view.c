@@ -53,27 +53,26 @@ static const View view_new = {
     .home = PANE_LOWER,
     .describe = describe,
     .variant_word = word_of,
-    .on_paper = true,
 };
 
 static const View view_rows = {
     .word = "rows",
-    .brief = "rows",
     .help = "a list that only its own file and the list know",
     .home = PANE_LOWER,
     .describe = describe_rows,
     .is_list = true,
+    .no_figure = true,
 };
 
 /* It has no key, and wants what a bar has not. */
 static const View view_needy = {
     .word = "needy",
-    .brief = "needy",
     .help = "something about bonds that break",
     .home = PANE_UPPER,
     .describe = describe,
     .needs = HAS_BREAKING,
     .lacking = LACKING,
+    .no_figure = true,
 };
 
 const View *const views[] = {&view_profile, &view_probe, &view_beam, &view_new, &view_needy, &view_rows};

@@ -331,7 +331,8 @@ bool exporting_figure(Laboratory *lab, const char *words, Status *status)
     player_pause(lab);
     if (lab->player.playback.state == STATE_COMPUTING)
         return status_refuse(status, "wait until the run has come to its time, or cancel with Esc");
-    if (!view_makes_figure(view, screen))
+    if (!view_is_on_paper(view, screen) ||
+        (view->variant_word && !view->variant_word(screen, view_variant(view, screen))))
         return status_refuse(status, "this view makes no figure: name another, as in figure probe probe.svg");
     char name[NAME_MAX_BYTES];
     snprintf(name, sizeof name, "%s", file); /* the text may be the name already */

@@ -71,8 +71,10 @@ static void move(Laboratory *lab, int x, int y, int page)
     } else if (x || page > 1) {
         screen->chosen.is_node &= simulation_has(laboratory_simulation(lab), HAS_MESH);
         selection_next(&screen->chosen, laboratory_simulation(lab), x ? x : y, (size_t)page);
-    } else {
-        inspector_choose_across(screen, y < 0);
+    } else if (simulation_has(laboratory_simulation(lab), HAS_MESH)) {
+        /* from the chosen particle to the node that it shares most with, or back: the strip has the grid
+         * above */
+        inspector_move(screen, 0, y < 0 ? -1 : 1, 1);
     }
 }
 

@@ -98,8 +98,8 @@ static bool overlay(Laboratory *lab, const char *words, Status *status)
     const bool x_given = take_word(&words, x, sizeof x), y_given = take_word(&words, y, sizeof y);
     if (!overlay_load(&read, path, reading, lab, status))
         return false;
-    if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, view_time_curve(screen),
-                        view_profile_curve(screen), status)) {
+    if (!overlay_choose(&read, x_given ? x : NULL, y_given ? y : NULL, view_curve(screen, true),
+                        view_curve(screen, false), status)) {
         overlay_close(&read);
         return false;
     }

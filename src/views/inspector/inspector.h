@@ -22,9 +22,6 @@ const Inspector *inspector_find(const Screen *);
 /* The arrows in it. False: they do what they do in the mesh strip. */
 bool inspector_move(Screen *, int x, int y, int page);
 
-/* From the chosen particle to the node that it shares most with, or back: the strip has the grid above. */
-void inspector_choose_across(Screen *, bool node);
-
 /* A node's row of the mass matrix, shared with those beside it. False: masses are lumped, or not mapped. */
 enum { MASSES_BESIDE_MAX = 3 };
 typedef struct MassRow {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The inspectors of bonds. Of a bar: the chosen node, each of its bonds with what its force is made of, and
- * the forces as they add up to the node's. Of beams: the chosen node's family, each bond with its stretch as
- * a share of the critical one, the bond that broke last, the most stretched one and why it holds, and the
- * forces by the side on which they pull. */
+/* The inspectors of bonds: of a bar each bond of the chosen node with what its force is made of; of beams the
+ * node's family with stretches as shares of the critical one, and the forces by the side on which they pull.
+ */
 #include "views/inspector/inspector.h"
 #include "base/text.h"
 #include "panes/screen.h"
@@ -37,9 +36,30 @@ static void add_totals(const Simulation *sim, size_t node, const char *const *fi
                                                        just_bonds || just_load ? changed : plain};
 }
 
-static void describe_sum(const Simulation *sim, size_t node, const Link *links, size_t count,
-                         PictureTable *table)
+static void describe(const Screen *screen, Picture *picture)
 {
+    const Simulation *sim = screen_simulation(screen);
+    Link links[TABLE_ROWS_MAX];
+    const size_t chosen = screen->chosen.particle, last = sim->counts[0] - 1;
+    const size_t node = chosen < last ? chosen : last;
+    const size_t found = sim->method->links(sim, 0, node, links, TABLE_ROWS_MAX);
+    const size_t count = found < TABLE_ROWS_MAX ? found : TABLE_ROWS_MAX;
+    static const char *const told[][2] = {
+        {"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
+    char text[160] = "";
+    picture_heading(picture, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "", node,
+                    text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, count);
+    snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
+        if (simulation_find_field(sim, 0, told[i][1]) >= 0)
+            text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
+                        text_fitted(simulation_named(sim, 0, told[i][1], node), 5, 11).text);
+    picture_note(picture, STYLE_NORMAL, "%s", text);
+    picture_note(picture, STYLE_FAINT,
+                 "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
+    PictureTable *table = picture_table(picture);
+    if (!table)
+        return;
     static const char *const names[] = {"ξ", "stretch s", "c G w V", "force on it"};
     enum { LENGTH, STRETCH, STIFFNESS, FORCE, COLUMNS };
     const double load = sim->method->load_on(sim, node, 0);
@@ -65,32 +85,6 @@ static void describe_sum(const Simulation *sim, size_t node, const Link *links, 
     add_totals(sim, node, (const char *const[]){"force"}, &load, table);
     table->columns[FORCE].style =
         sim->stage == simulation_find_stage(sim, "bonds") + 1 ? STYLE_CHANGED : STYLE_NORMAL;
-}
-
-static void describe(const Screen *screen, Picture *picture)
-{
-    const Simulation *sim = screen_simulation(screen);
-    Link links[TABLE_ROWS_MAX];
-    const size_t chosen = screen->chosen.particle, last = sim->counts[0] - 1;
-    const size_t node = chosen < last ? chosen : last;
-    const size_t found = sim->method->links(sim, 0, node, links, TABLE_ROWS_MAX);
-    const size_t count = found < TABLE_ROWS_MAX ? found : TABLE_ROWS_MAX;
-    static const char *const told[][2] = {
-        {"u", "u"}, {"v", "v"}, {"stress", "stress"}, {"strain", "strain"}, {"g", "surface_factor"}};
-    char text[160] = "";
-    picture_heading(picture, "%snode %zu at X = %s: %zu bonds", screen_second_run(screen) ? "A: " : "", node,
-                    text_fitted(simulation_named(sim, 0, "x0", node), 6, 12).text, count);
-    snprintf(picture->hints[0], sizeof picture->hints[0], " ← → next node  i closes ");
-    for (size_t i = 0; i < sizeof told / sizeof *told; i++)
-        if (simulation_find_field(sim, 0, told[i][1]) >= 0)
-            text_append(text, sizeof text, "%s%s = %s", *text ? "  " : "", told[i][0],
-                        text_fitted(simulation_named(sim, 0, told[i][1], node), 5, 11).text);
-    picture_note(picture, STYLE_NORMAL, "%s", text);
-    picture_note(picture, STYLE_FAINT,
-                 "f = Σ (c G w V) s n  n: towards the other end  w: share of its cell within reach");
-    PictureTable *table = picture_table(picture);
-    if (table)
-        describe_sum(sim, node, links, count, table);
 }
 
 static void move_on(Screen *screen, int x, int y, int page)
@@ -155,8 +149,6 @@ static bool family_of(Family *family, const Screen *screen)
     return family->reach <= AROUND_MAX;
 }
 
-/* --- the family around it ---------------------------------------------------------------------------- */
-
 static void describe_around(const Family *family, PictureAround *around)
 {
     const int reach = around->reach = family->reach;
@@ -219,8 +211,6 @@ static const char *why_it_holds(const Family *family, const Link *link)
         return "holds: protected, near load or support";
     return "breaks in the next stage of bond forces";
 }
-
-/* --- the forces, by the side on which they pull ------------------------------------------------------- */
 
 static void describe_forces(const Family *family, PictureTable *table)
 {

@@ -19,15 +19,12 @@ typedef struct Subject {
     Link links[TABLE_ROWS_MAX];
     size_t n_links;
     int shapes; /* columns of shape functions: N and its slope, or its two slopes in the plane */
-} Subject;
 
-/* What one stage passes between the subject and its links. */
-typedef struct Block {
-    const Subject *subject;
+    /* what one stage passes between it and its links */
     PictureTable *table;
     int stage;
     bool takes; /* the subject is the receiver */
-} Block;
+} Subject;
 
 static Subject subject_of(const Screen *screen)
 {
@@ -48,21 +45,22 @@ static ExchangeTerm term_of(const Subject *subject, int exchange, size_t link)
     return simulation_exchange(subject->sim, exchange, subject->index, &subject->links[link]);
 }
 
-static bool is_passed(const Block *block, int exchange)
+static bool is_passed(const Subject *subject, int exchange)
 {
-    const Subject *subject = block->subject;
     const Exchange *passed = &subject->sim->exchanges[exchange];
-    return strcmp(passed->stage, subject->sim->stages[block->stage].id) == 0 &&
-           (block->takes ? passed->to : passed->from) == subject->set && subject->n_links > 0 &&
+    return strcmp(passed->stage, subject->sim->stages[subject->stage].id) == 0 &&
+           (subject->takes ? passed->to : passed->from) == subject->set && subject->n_links > 0 &&
            term_of(subject, exchange, 0).count > 0;
 }
 
-static bool passes_any(const Subject *subject, int stage, bool takes)
+/* From here on it is about this stage and this way of passing. */
+static bool passes_any(Subject *subject, int stage, bool takes)
 {
-    const Block block = {subject, NULL, stage, takes};
     bool any = false;
+    subject->stage = stage;
+    subject->takes = takes;
     for (int e = 0; e < subject->sim->n_exchanges; e++)
-        any |= is_passed(&block, e);
+        any |= is_passed(subject, e);
     return any;
 }
 
@@ -85,12 +83,12 @@ static TableColumn *factor_named(PictureTable *table, const char *name)
     return NULL;
 }
 
-static void add_factors(const Block *block, int exchange)
+static void add_factors(const Subject *subject, int exchange)
 {
-    PictureTable *table = block->table;
-    const Exchange *passed = &block->subject->sim->exchanges[exchange];
-    for (size_t i = 0; i < block->subject->n_links; i++) {
-        const ExchangeTerm term = term_of(block->subject, exchange, i);
+    PictureTable *table = subject->table;
+    const Exchange *passed = &subject->sim->exchanges[exchange];
+    for (size_t i = 0; i < subject->n_links; i++) {
+        const ExchangeTerm term = term_of(subject, exchange, i);
         const char *words = passed->factors;
         char word[32];
         for (int f = 0; f < term.count && text_next_word(&words, word, sizeof word); f++) {
@@ -104,10 +102,9 @@ static void add_factors(const Block *block, int exchange)
         text_append(table->notes, sizeof table->notes, "%s%s", *table->notes ? ", " : "", passed->note);
 }
 
-static void add_product(const Block *block, int exchange)
+static void add_product(const Subject *subject, int exchange)
 {
-    PictureTable *table = block->table;
-    const Subject *subject = block->subject;
+    PictureTable *table = subject->table;
     const Exchange *passed = &subject->sim->exchanges[exchange];
     const unsigned bit = 1u << table->n_columns;
     const int field = simulation_find_field(subject->sim, passed->to, passed->field);
@@ -127,19 +124,20 @@ static void add_product(const Block *block, int exchange)
     /* What the field was before the stage, where that is added to, and what it is right after it. Of what is
      * given there is no sum at the giver; later stages may have changed what this one left. */
     double before = NAN;
-    bool known = block->takes && subject->sim->stage == block->stage + 1;
+    bool known = subject->takes && subject->sim->stage == subject->stage + 1;
     if (known && passed->adds)
         known = experiment_field_before(subject->screen->experiment, field, subject->index, 1, &before);
     column->base = known ? before : NAN;
     column->result = known ? simulation_value(subject->sim, field, subject->index) : NAN;
 }
 
-static void describe_block(const Subject *subject, int stage, bool takes, Picture *picture)
+/* The stage and the way that passes_any() was asked for last. */
+static void describe_block(Subject *subject, Picture *picture)
 {
-    const Block block = {subject, picture_table(picture), stage, takes};
-    PictureTable *table = block.table;
+    PictureTable *table = subject->table = picture_table(picture);
     const Simulation *sim = subject->sim;
-    const int other = 1 - subject->set;
+    const int other = 1 - subject->set, stage = subject->stage;
+    const bool takes = subject->takes;
     if (!table)
         return;
     /* What is given to whom, in full or in short. */
@@ -166,11 +164,11 @@ static void describe_block(const Subject *subject, int stage, bool takes, Pictur
     }
     /* factors stand once, before all products that they are part of: these are read from left to right */
     for (int e = 0; e < sim->n_exchanges; e++)
-        if (is_passed(&block, e))
-            add_factors(&block, e);
+        if (is_passed(subject, e))
+            add_factors(subject, e);
     for (int e = 0; e < sim->n_exchanges; e++)
-        if (is_passed(&block, e))
-            add_product(&block, e);
+        if (is_passed(subject, e))
+            add_product(subject, e);
     bool adds = false;
     for (int c = 0; c < table->n_columns; c++)
         adds |= table->columns[c].adds && !isnan(table->columns[c].base);
@@ -213,7 +211,7 @@ static double named(const Subject *subject, const char *field)
 /* The latest stage (between steps what the first will do), then the subject's parts, then the rest. */
 static void describe(const Screen *screen, Picture *picture)
 {
-    const Subject subject = subject_of(screen);
+    Subject subject = subject_of(screen);
     const Simulation *sim = subject.sim;
     const int latest = sim->stage > 0 ? sim->stage - 1 : 0;
     picture->kind = PICTURE_TABLES;
@@ -245,7 +243,7 @@ static void describe(const Screen *screen, Picture *picture)
                 const bool first = stage == latest || takes || subject.set == 0;
                 if (first != (pass == 0) || !passes_any(&subject, stage, takes))
                     continue;
-                describe_block(&subject, stage, takes, picture);
+                describe_block(&subject, picture);
                 if (picture->n_tables == 1)
                     describe_masses(&subject, picture);
             }
@@ -306,12 +304,6 @@ const Inspector *inspector_find(const Screen *screen)
     return NULL;
 }
 
-void inspector_choose_across(Screen *screen, bool node)
-{
-    if (screen_has(screen, HAS_MESH))
-        inspector_move(screen, 0, node ? -1 : 1, 1);
-}
-
 bool inspector_move(Screen *screen, int x, int y, int page)
 {
     const Inspector *inspector = inspector_find(screen);
@@ -331,7 +323,5 @@ const View view_inspector = {
     .word = "inspector",
     .describe = describe_any,
     .duel = DUEL_TOGETHER,
-    .of_moment = true,
     .is_list = true,
-    .on_paper = true,
 };

@@ -72,8 +72,6 @@ static void draw_notch(Map *map)
     }
 }
 
-/* --- signs ---------------------------------------------------------------------------------------- */
-
 enum { SUPPORT_FIXED = 0x25b2, SUPPORT_ROLLER = 0x25cb, LOAD = 0x25bc };
 
 /* A sign at each node of a row whose flag is up, at its edge: `side` up or down, 0: at the node. Returns the

@@ -55,8 +55,6 @@ static bool mesh_open(const Map *map, MeshNodes *mesh)
     return true;
 }
 
-/* --- under the particles ------------------------------------------------------------------------------ */
-
 /* --- the chosen particle's stress --------------------------------------------------------------------- */
 
 /* By Mohr's circle: its middle is the mean stress, its radius
@@ -129,14 +127,6 @@ void map_cross_text(const Map *map, char *out, size_t size)
 
 /* --- over the particles ------------------------------------------------------------------------------- */
 
-static double largest(const double *values, size_t count)
-{
-    double most = 0;
-    for (size_t i = 0; i < count; i++)
-        most = fmax(most, values[i]);
-    return most;
-}
-
 /* Bars stand to the right of their node. */
 static void add_bar(Map *map, const MeshNodes *mesh, PictureMark bar, double value, double most)
 {
@@ -181,9 +171,12 @@ void map_add_mesh(Map *map)
         }
         add_cross(map);
         /* of a body that only moves on no rounding is drawn */
-        const double heaviest = largest(mesh.mass, mesh.count);
-        const double fastest =
-            fmax(largest(mesh.momentum, mesh.count), 1e-9 * heaviest * fabs(map->sim->common_speed));
+        double heaviest = 0, fastest = 0;
+        for (size_t node = 0; node < mesh.count; node++) {
+            heaviest = fmax(heaviest, mesh.mass[node]);
+            fastest = fmax(fastest, mesh.momentum[node]);
+        }
+        fastest = fmax(fastest, 1e-9 * heaviest * fabs(map->sim->common_speed));
         for (size_t node = 0; node < mesh.count; node++) {
             const double x = mesh.x[node], y = mesh.y[node];
             if (!picture_in_sight(map->picture, x, y, 0))
