@@ -157,37 +157,6 @@ static void text_key(Laboratory *lab, const char *name)
         edit_key(lab, &key);
 }
 
-/* Pasted text goes into a field or a question and never means commands; the end of a pasted line parts words.
- */
-static void take_pasted(Laboratory *lab, const char *what)
-{
-    const bool ends_line = strcmp(what, "Enter") == 0;
-    if (!(lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no))) {
-        laboratory_tell(lab, "pasted text goes into a field or a question only; : asks for a command");
-        return;
-    }
-    if (!ends_line && lab->held.pasted_line)
-        text_key(lab, "Space");
-    if (!ends_line)
-        text_key(lab, what);
-    lab->held.pasted_line = ends_line;
-}
-
-/* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
- * editor mend the answer. But a user who is asked for the name of a file, or by an exercise, types another
- * one. Pasted text never comes here. */
-static void dismiss_error(Laboratory *lab, const char *key)
-{
-    const Prompt *prompt = &lab->prompting.shown;
-    const bool is_character = !key[1] || strcmp(key, "Space") == 0;
-    const Typing *typing = lab->prompting.typing;
-    const bool retyped =
-        typing && typing->retyped && !(typing->leaves && !key[1] && strchr(typing->leaves, *key));
-    if (prompt->open && !prompt->yes_no && prompt->problem[0] && !retyped && is_character &&
-        command_by_key(key))
-        prompt_close(&lab->prompting);
-}
-
 static void take_key(Laboratory *lab, const Key *key)
 {
     const Command *command = command_by_key(key->name);
@@ -195,11 +164,20 @@ static void take_key(Laboratory *lab, const Key *key)
     player_drop_part(&lab->player);
     session_note(lab->recording, lab, (SessionEvent){.key = *key});
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
-    if (pasted) {
-        take_pasted(lab, pasted);
-        return;
+    /* Pasted text goes into a field or a question and never means commands; the end of a pasted line parts
+     * words. */
+    const bool ends_line = pasted && strcmp(pasted, "Enter") == 0;
+    if (pasted && !(lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no)))
+        laboratory_tell(lab, "pasted text goes into a field or a question only; : asks for a command");
+    else {
+        if (pasted && !ends_line && lab->held.pasted_line)
+            text_key(lab, "Space");
+        if (pasted && !ends_line)
+            text_key(lab, pasted);
+        lab->held.pasted_line = ends_line;
     }
-    lab->held.pasted_line = false;
+    if (pasted)
+        return;
     /* At a first start one key begins the first lesson; any other key does what it always does. */
     Status status = {STATUS_DONE, ""};
     const bool taken = lab->screen.offers_lesson && strcmp(key->name, "Enter") == 0;
@@ -208,7 +186,17 @@ static void take_key(Laboratory *lab, const Key *key)
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
     if (taken)
         return;
-    dismiss_error(lab, key->name);
+    /* What was refused is read as a message: a key that does something else goes on, Enter and the keys of an
+     * editor mend the answer. But a user who is asked for the name of a file, or by an exercise, types
+     * another one. */
+    const Prompt *prompt = &lab->prompting.shown;
+    const Typing *typing = lab->prompting.typing;
+    const char *name = key->name;
+    const bool retyped =
+        typing && typing->retyped && !(typing->leaves && !name[1] && strchr(typing->leaves, *name));
+    if (prompt->open && !prompt->yes_no && prompt->problem[0] && !retyped && command &&
+        (!name[1] || strcmp(name, "Space") == 0))
+        prompt_close(&lab->prompting);
     /* These work in a question and in a field too. */
     if (command &&
         (command->id == COMMAND_INTERRUPT || command->id == COMMAND_REDRAW || command->id == COMMAND_SUSPEND))

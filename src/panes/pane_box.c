@@ -293,7 +293,7 @@ static void draw_duel(const Screen *screen, Area area)
     const bool own_row = count <= groups * (height - 1);
     if (!own_row && (count < 1 || !name_values(&rows[0], values)))
         heading = "Duel";
-    area_rule(area, heading, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, heading, screen->panes.focus == PANE_BOX ? STYLE_FOCUS : STYLE_HEADING);
     if (height < 1)
         return;
     const int each = height - own_row;
@@ -307,8 +307,6 @@ static void draw_duel(const Screen *screen, Area area)
     }
 }
 
-/* --- the runs of one picture ---------------------------------------------------------------------- */
-
 enum { NAME_COLUMNS = 26, VALUE_COLUMNS = 12 };
 
 /* On top of the box. Returns its rows; 0: there are too few runs, or it has no room. */
@@ -321,7 +319,7 @@ static int draw_runs(const Screen *screen, Area area)
         return 0;
     const bool predicted = screen_shows_predicted(screen), exact = screen_shows_exact(screen);
     const double unit = now->is_period ? 1e-3 : 1; /* periods are given in ms */
-    area_rule(area, "Runs in one picture", screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, "Runs in one picture", screen->panes.focus == PANE_BOX ? STYLE_FOCUS : STYLE_HEADING);
     /* In the rule above the rows, a space on each side. */
     const char *headings[] = {now->is_period ? "T meas, ms" : "ω measured", "predicted",
                               screen_problem(screen)->answer, "off"};

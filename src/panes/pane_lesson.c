@@ -244,7 +244,7 @@ void pane_lesson(const Screen *screen, Area area)
     char footer[192];
     /* "── A title  1/7 ──": of a long title the end gives way, not the page. */
     const LessonShown *shown = screen->lesson;
-    const Style style = screen_is_focused(screen, PANE_PARAMETERS) ? STYLE_FOCUS : STYLE_HEADING;
+    const Style style = screen->panes.focus == PANE_PARAMETERS ? STYLE_FOCUS : STYLE_HEADING;
     char heading[160] = "Lessons", page[32] = "";
     if (shown->lesson) {
         snprintf(page, sizeof page, "  %d/%d", shown->page + 1, shown->lesson->n_pages);

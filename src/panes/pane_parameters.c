@@ -43,7 +43,7 @@ const Settings *screen_rows_shown(const Screen *screen, int *kind, int *row)
     const RowsShown *shown = &screen->parameters->rows;
     RowPlace place = {.kind = -1, .row = -1};
     const bool any =
-        !shown->placing && screen_is_focused(screen, PANE_PARAMETERS) && screen_selected_row(screen, &place);
+        !shown->placing && screen->panes.focus == PANE_PARAMETERS && screen_selected_row(screen, &place);
     *kind = shown->placing ? shown->kind : any ? place.kind : -1;
     *row = shown->placing ? shown->row : any ? place.row : -1;
     return shown->placing ? shown->draft : screen_settings(screen);
@@ -182,7 +182,7 @@ static void draw_field(const Screen *screen, Area area, int y, int from)
 static void draw_row(const Screen *screen, Area area, int y, const ParameterRow *row, bool chosen)
 {
     const Settings *settings = screen_settings(screen);
-    const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
+    const bool focused = chosen && screen->panes.focus == PANE_PARAMETERS;
     const Style style = focused ? STYLE_SELECTED : row->place.row == ROW_NEW ? STYLE_FAINT : STYLE_NORMAL;
     if (focused)
         area_blank(area, 1, area.rect.width, y, style);
@@ -211,7 +211,7 @@ static void draw_row(const Screen *screen, Area area, int y, const ParameterRow 
 void pane_parameter(const Screen *screen, Area area, int y, const Parameter *parameter, bool chosen)
 {
     const Settings *settings = screen_settings(screen);
-    const bool focused = chosen && screen_is_focused(screen, PANE_PARAMETERS);
+    const bool focused = chosen && screen->panes.focus == PANE_PARAMETERS;
     const int width = area.rect.width;
     Style style = focused ? STYLE_SELECTED : STYLE_NORMAL;
     if (focused)
@@ -326,7 +326,7 @@ static int draw_rows(const Screen *screen, Area area, const ParameterRow *rows, 
                      const Derived *derived)
 {
     const int first = pane_parameters_first(screen->parameters, count, area.rect.height);
-    const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
+    const bool focused = screen->panes.focus == PANE_PARAMETERS;
     for (int y = 0; y < area.rect.height && first + y < count; y++) {
         const ParameterRow *row = &rows[first + y];
         const bool chosen = first + y == screen->parameters->selected;
@@ -359,7 +359,7 @@ void pane_parameters(const Screen *screen, Area area)
     Derived derived[DERIVED_MAX];
     const int count = screen_parameter_rows(screen, rows);
     experiment_derived(screen->experiment, derived);
-    const bool focused = screen_is_focused(screen, PANE_PARAMETERS);
+    const bool focused = screen->panes.focus == PANE_PARAMETERS;
     const int room = area.rect.height > HINT_ROWS ? area.rect.height - HINT_ROWS : area.rect.height,
               first = draw_rows(screen, area_part(area, 0, 0, area.rect.width, room), rows, count, derived);
     if (count == 0)

@@ -82,21 +82,6 @@ static void add_field(int fields[], int *count, int field)
         fields[(*count)++] = field;
 }
 
-/* The fields that a stage names of the subject's set; with `all` those of its table too. */
-static int fields_of(const Subject *subject, const char *words, bool all, int fields[FIELDS_TEXT_MAX])
-{
-    int count = 0;
-    char word[64];
-    const bool named =
-        !all || subject->set == flow_target(subject->sim, &subject->sim->stages[subject->stage]);
-    while (named && text_next_word(&words, word, sizeof word))
-        add_field(fields, &count, simulation_find_field(subject->sim, subject->set, word));
-    for (int i = 0; all && i < subject->sim->n_fields; i++)
-        if (subject->sim->fields[i].set == subject->set && subject->sim->fields[i].in_table)
-            add_field(fields, &count, i);
-    return count;
-}
-
 /* --- the sums ------------------------------------------------------------------------------------- */
 
 /* One line of a sum; on the last one of a sum its result is marked. */
@@ -184,8 +169,6 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
     return lines;
 }
 
-/* --- of a duel, the other run's ------------------------------------------------------------------- */
-
 /* "B: ..." on each line: what B has of the same thing after the same stage, the last lines that there is room
  * for. Returns the rows. */
 static int other_sums(const Subject *subject, int width, int room, char sums[SUMS_MAX])
@@ -263,9 +246,15 @@ static void draw_body(const Subject *subject, Area area)
     char others[SUMS_MAX];
     const int other_rows = other_sums(subject, width, room, others);
     room -= other_rows;
-    int fields[FIELDS_TEXT_MAX];
-    const int n_fields =
-        fields_of(subject, subject->done ? stage->writes : stage->reads, subject->done, fields);
+    /* The fields that the stage names of the subject's set; once it is done those of its table too. */
+    int fields[FIELDS_TEXT_MAX], n_fields = 0;
+    const char *words = subject->done ? stage->writes : stage->reads;
+    const bool named = !subject->done || subject->set == flow_target(subject->sim, stage);
+    for (char word[64]; named && text_next_word(&words, word, sizeof word);)
+        add_field(fields, &n_fields, simulation_find_field(subject->sim, subject->set, word));
+    for (int i = 0; subject->done && i < subject->sim->n_fields; i++)
+        if (subject->sim->fields[i].set == subject->set && subject->sim->fields[i].in_table)
+            add_field(fields, &n_fields, i);
     const int sentence_rows = area_paragraph_lines(width, stage->sentence);
     int field_rows =
         subject->done || n_fields > 0 ? draw_fields(subject, NULL, width, 0, fields, n_fields) : 0;
@@ -339,7 +328,7 @@ void pane_stage(const Screen *screen, Area area)
              : both        ? "stage"
                            : "Stage",
              subject.stage + 1, sim->n_stages, stage->name);
-    area_rule(area, text, screen_is_focused(screen, PANE_BOX) ? STYLE_FOCUS : STYLE_HEADING);
+    area_rule(area, text, screen->panes.focus == PANE_BOX ? STYLE_FOCUS : STYLE_HEADING);
     const int heading = 5 + glyphs_columns(text), source = glyphs_columns(stage->source) + 2;
     if (heading + source + 2 <= area.rect.width) {
         snprintf(text, sizeof text, " %s ", stage->source);

@@ -70,7 +70,7 @@ static void draw_pane(const Screen *screen, PaneId pane, Area area)
         pane_inspector(screen, area);
     else if (pane != PANE_PARAMETERS)
         pane_view(pane == PANE_MESH ? &view_strip : screen_view_in(screen, pane), screen, area,
-                  screen_is_focused(screen, pane));
+                  screen->panes.focus == pane);
     else if (screen->lesson->open)
         pane_lesson(screen, area);
     else if (screen_is_plain(screen) &&

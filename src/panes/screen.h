@@ -206,7 +206,6 @@ const Experiment *screen_clock_run(const Screen *);
 
 bool screen_shows_exact(const Screen *);
 bool screen_shows_predicted(const Screen *);
-bool screen_is_focused(const Screen *, PaneId);
 bool screen_is_running(const Screen *);
 bool screen_is_inside(const Screen *);  /* in a step, or right behind its last stage */
 bool screen_is_rewound(const Screen *); /* more has been computed than is shown */

@@ -43,11 +43,6 @@ Screen screen_of_side(const Screen *screen, DuelSide side)
     return one;
 }
 
-bool screen_is_focused(const Screen *screen, PaneId pane)
-{
-    return screen->panes.focus == pane;
-}
-
 bool screen_question(const Screen *screen, char *out, size_t size)
 {
     enum { ROOM = 24 };

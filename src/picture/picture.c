@@ -14,12 +14,6 @@ void picture_open(Picture *picture, int columns, int rows, int across, int dots)
     *picture = (Picture){columns, rows, across, across * dots, {columns - 2, rows - 2}, .step = -1};
 }
 
-bool picture_is_low(const Picture *picture)
-{
-    enum { LOW = 10 };
-    return picture->rows < LOW;
-}
-
 void picture_close(Picture *picture)
 {
     plot_close(&picture->plot);

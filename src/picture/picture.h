@@ -300,9 +300,6 @@ typedef struct Picture {
 void picture_open(Picture *, int columns, int rows, int across, int dots);
 void picture_close(Picture *);
 
-/* So few rows that a drawing shows what is looked at, and not what is beside it. */
-bool picture_is_low(const Picture *);
-
 /* Without memory something is left out of what is added; the plot is `lost` then. */
 
 /* Both axes with their names and SI units; "": none. Strokes come after them. Ticks are found for the room

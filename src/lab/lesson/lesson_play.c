@@ -154,8 +154,6 @@ static void open_from_list(Laboratory *lab, int lesson)
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
 }
 
-/* --- pages ------------------------------------------------------------------------------------------ */
-
 /* `unasked`: whatever the page waits for. */
 static void turn_page(Laboratory *lab, int direction, bool unasked)
 {

@@ -84,8 +84,6 @@ void cells_fit(Picture *picture, int rows)
     picture_ticks(picture, (picture->across + (picture->plot.x.moves ? 0 : GUTTER + 1)) / TICK_COLUMNS, up);
 }
 
-/* --- legend ---------------------------------------------------------------------------------------- */
-
 static const char *sign_text(uint32_t sign, int fill, Glyphs glyphs, char out[8])
 {
     static const char *const bands[][4] = {

@@ -306,8 +306,6 @@ static bool no_memory(Status *status)
     return status_fail(status, "not enough memory for a figure");
 }
 
-/* --- panels ----------------------------------------------------------------------------------------- */
-
 bool figure_add(Figure *figure, const Screen *screen, const View *view, int panels, Status *status)
 {
     const Settings *settings = screen_settings(screen);
@@ -417,7 +415,7 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
         errno = 0;
         lay_out(paper, figure, figure->height > 0 ? figure->height * MILLIMETRES : 0);
         const bool in_want = errno == ENOMEM;
-        sound = paper_finish(paper, status) && (!in_want || no_memory(status));
+        sound = paper->kind->finish(paper, status) && (!in_want || no_memory(status));
     }
     return output_end(&file, sound, status);
 }

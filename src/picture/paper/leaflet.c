@@ -115,7 +115,7 @@ bool leaflet_finish(Leaflet *leaflet, Status *status)
 {
     Paper *paper = leaflet->paper;
     leaflet->paper = NULL;
-    return paper_finish(paper, status) && output_finish(&leaflet->file, status) &&
+    return paper->kind->finish(paper, status) && output_finish(&leaflet->file, status) &&
            output_commit(&leaflet->file, status);
 }
 
@@ -123,7 +123,7 @@ void leaflet_close(Leaflet *leaflet)
 {
     Status ignored = {0};
     if (leaflet->paper)
-        paper_finish(leaflet->paper, &ignored);
+        leaflet->paper->kind->finish(leaflet->paper, &ignored);
     leaflet->paper = NULL;
     output_close(&leaflet->file);
 }

@@ -44,8 +44,8 @@ typedef struct PaperKind {
     void (*disc)(Paper *, double x, double y, double radius, Colour, const Pencil *edge); /* edge: or NULL */
     void (*text)(Paper *, double x, double y, const char *, const Type *); /* (x, y): on the base line */
     void (*clip)(Paper *, const Box *);                                    /* NULL: no more */
-    void (*page)(Paper *); /* the next one, of a PDF; NULL: there is one only */
-    bool (*finish)(Paper *, Status *);
+    void (*page)(Paper *);             /* the next one, of a PDF; NULL: there is one only */
+    bool (*finish)(Paper *, Status *); /* ends the file and frees the paper */
 } PaperKind;
 
 /* A back end's own struct begins with it. */
@@ -58,9 +58,6 @@ struct Paper {
 Paper *paper_svg(FILE *, double width, double height, const char *title, Status *);
 Paper *paper_pdf(FILE *, double width, double height, const char *title, Status *);
 Paper *paper_png(FILE *, double width, double height, Status *);
-
-/* Ends the file and frees the paper. */
-bool paper_finish(Paper *, Status *);
 
 /* --- how the styles of the screen look on white paper --------------------------------------------- */
 

@@ -231,8 +231,3 @@ Paper *paper_svg(FILE *stream, double width, double height, const char *title, S
     fputs("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n", stream);
     return &svg->paper;
 }
-
-bool paper_finish(Paper *paper, Status *status)
-{
-    return paper->kind->finish(paper, status);
-}

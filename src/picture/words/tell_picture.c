@@ -259,18 +259,6 @@ static bool is_told(const Picture *picture, int index)
     return false;
 }
 
-/* Whether words can say how far the measured curve is from this one: another curve of the same thing, not a
- * value that is marked from edge to edge. */
-static bool is_beside(const Picture *picture, const Stroke *stroke)
-{
-    const Plot *plot = &picture->plot;
-    const double *points = plot->points + 2 * stroke->first;
-    const bool marked = stroke->count == 2 && points[0] == plot->x.low && points[2] == plot->x.high;
-    return picture->compares && stroke->kind == STROKE_LINE && !marked &&
-           (stroke->style == STYLE_EXACT || stroke->style == STYLE_PREDICTED ||
-            stroke->style == STYLE_SECOND);
-}
-
 /* Each of the values from stroke to stroke, in the kind of picture that it is. */
 static void say_stroke(const Picture *picture, int index, double cursor, const Curve *curve, const Measure *x,
                        const Measure *y, Words *words)
@@ -327,9 +315,14 @@ static void say_strokes(const Picture *picture, double cursor, Words *words)
     }
     for (int i = 0; i < plot->n_strokes && measured.count > 0; i++) {
         const Stroke *stroke = &plot->strokes[i];
+        const double *points = plot->points + 2 * stroke->first;
+        const bool marked = stroke->count == 2 && points[0] == plot->x.low && points[2] == plot->x.high;
         Curve curve;
-        if (!is_beside(picture, stroke) ||
-            !look_at(plot->points + 2 * stroke->first, stroke->count, upright, &curve))
+        /* another curve of the same thing, not a value that is marked from edge to edge */
+        if (!picture->compares || stroke->kind != STROKE_LINE || marked ||
+            (stroke->style != STYLE_EXACT && stroke->style != STYLE_PREDICTED &&
+             stroke->style != STYLE_SECOND) ||
+            !look_at(points, stroke->count, upright, &curve))
             continue;
         name_of(picture, i, name);
         /* How far the measured curve is from another one. */
