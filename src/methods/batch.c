@@ -1,28 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole steps in batches, and the check of the energy (batch.h). */
+/* Whole steps in batches (batch.h). */
 #include "methods/batch.h"
 
 #include "base/assertion.h"
 #include "base/text.h"
 
-#include <math.h>
 #include <stdio.h>
 
-/* The energy may be multiplied by this before the run is stopped. Heating by cell crossing is a matter of
- * some ten per cent, at worst a small factor; an unstable run gets to a hundred in velocity in a few hundred
- * steps, and a beam of hats that leaves its channel a while before its particles leave the grid. */
-static const double energy_bound = 1e4;
-
-/* Growth that is reported, each once. */
-static const double energy_levels[] = {1.1, 2.0, 10.0, 100.0, 1000.0};
-static const char *const energy_words[] = {"by 10 %", "to twice", "to 10 times", "to 100 times",
-                                           "to 1000 times"};
-enum { ENERGY_LEVELS = sizeof energy_levels / sizeof energy_levels[0] };
-
-/* "in step 13, t = 1.3" for the step under way. */
-static void batch_step_words(const Simulation *sim, const char *unit, char *out, size_t size)
+void batch_step_words(const Simulation *sim, const char *unit, char out[BATCH_WORDS_MAX])
 {
-    snprintf(out, size, "in step %ld, t = %s%s", sim->step + 1,
+    snprintf(out, BATCH_WORDS_MAX, "in step %ld, t = %s%s", sim->step + 1,
              text_rounded((double)(sim->step + 1) * sim->dt, 6).text, unit);
 }
 
@@ -37,32 +24,9 @@ void batch_report(Simulation *sim, EventKind kind, const char *text)
 bool batch_fail_particle(Simulation *sim, Status *status, int particle, const char *what, const char *unit)
 {
     ASSERT_INDEX(particle, sim->counts[0]);
-    char when[80];
-    batch_step_words(sim, unit, when, sizeof when);
+    char when[BATCH_WORDS_MAX];
+    batch_step_words(sim, unit, when);
     return simulation_fail(sim, status, "particle %d %s %s", particle, what, when);
-}
-
-/* A NaN fails too: the comparison is written so. */
-bool batch_check_energy(Simulation *sim, Growth *growth, const GrowthNow *now, Status *status)
-{
-    if ((sim->step + 1) % BATCH_STEPS != 0)
-        return true;
-    growth->peak_work = fmax(growth->peak_work, fabs(now->work));
-    const double reference = now->start + growth->peak_work, energy = now->energy(sim);
-    if (!(energy <= energy_bound * reference)) {
-        char when[80];
-        batch_step_words(sim, now->unit, when, sizeof when);
-        return simulation_fail(sim, status,
-                               "the energy has grown to more than %g times what was put in, %s: the run is "
-                               "unstable (a smaller Courant number, or %s)",
-                               energy_bound, when, now->advice);
-    }
-    while (growth->level < ENERGY_LEVELS && energy > energy_levels[growth->level] * reference) {
-        char text[80];
-        snprintf(text, sizeof text, "the energy has grown %s", energy_words[growth->level++]);
-        batch_report(sim, EVENT_ENERGY, text);
-    }
-    return true;
 }
 
 /* Where a batch of steps began, besides what was kept. */

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole steps in batches, for all methods, and the energy that may stop a run of the material point methods.
- *
- * The energy is looked at behind steps that are multiples of BATCH_STEPS, so that the outcome does not depend
- * on how a run is cut; batches end there. A batch that fails is taken back and done again step by step, so
- * that the run stands before the step that failed. */
+/* Whole steps in batches, for all methods. They end behind steps that are multiples of BATCH_STEPS, where a
+ * method may look at its energy, so that the outcome does not depend on how a run is cut. A batch that fails
+ * is taken back and done again step by step, so that the run stands before the step that failed. */
 #ifndef METHODS_BATCH_H
 #define METHODS_BATCH_H
 
@@ -11,26 +9,10 @@
 
 enum { BATCH_STEPS = 64 };
 
-/* What is remembered of the energy; part of a method's state. */
-typedef struct Growth {
-    double peak_work; /* largest magnitude of the work seen */
-    int level;        /* how many thresholds of growth were reported */
-} Growth;
-
-/* Of the step under way, J or the problem's unit. Energy and work are asked for only where they are looked
- * at. */
-typedef struct GrowthNow {
-    double start; /* energy at t = 0 */
-    double (*energy)(const Simulation *);
-    double work;
-    const char *unit;   /* behind the time: " s", or "" */
-    const char *advice; /* what else may help: "another algorithm" */
-} GrowthNow;
-
-/* Fails where energy > 1e4 (E_0 + max |work|), and reports growth on the way. */
-bool batch_check_energy(Simulation *, Growth *, const GrowthNow *, Status *);
-
-/* An event of the step under way, which is not counted yet; and its end by what became of a particle. */
+/* "in step 13, t = 1.3" for the step under way, which is not counted yet; `unit`: " s", or "". An event of
+ * it, and its end by what became of a particle. */
+enum { BATCH_WORDS_MAX = 80 };
+void batch_step_words(const Simulation *, const char *unit, char out[BATCH_WORDS_MAX]);
 void batch_report(Simulation *, EventKind, const char *text);
 bool batch_fail_particle(Simulation *, Status *, int particle, const char *what, const char *unit);
 

@@ -126,19 +126,6 @@ static void make_chunks(Mpm *mpm)
 
 /* --- particles at t = 0 ----------------------------------------------------------------------------- */
 
-/* One particle, but its velocity. */
-static void place(Mpm *mpm, int p, double x, double y)
-{
-    const double at[2] = {x, y};
-    for (int axis = 0; axis < 2; axis++) {
-        mpm->at[axis][p] = at[axis];
-        mpm->rest[axis][p] = at[axis] / mpm->dx + BODIES_PADDING + mpm->edge;
-    }
-    mpm->volume[p] = mpm->volume_start;
-    for (int k = 0; bodies_are_neo(mpm) && k < 4; k++)
-        mpm->deformation[k][p] = k == 0 || k == 3;
-}
-
 /* v = v0 + w x (X - c), and of a block its wave along x */
 static void start_of(const double x[2], const void *context, double v[2], double gradient[4])
 {
@@ -219,7 +206,14 @@ bool bodies_begin(Mpm *mpm, Status *status)
             return status_fail(status, "the building of the bodies was cancelled");
         int p = mpm->first[k];
         for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); p++) {
-            place(mpm, p, walk.x, walk.y);
+            const double at[2] = {walk.x, walk.y};
+            for (int axis = 0; axis < 2; axis++) {
+                mpm->at[axis][p] = at[axis];
+                mpm->rest[axis][p] = at[axis] / mpm->dx + BODIES_PADDING + mpm->edge;
+            }
+            mpm->volume[p] = mpm->volume_start;
+            for (int i = 0; bodies_are_neo(mpm) && i < 4; i++)
+                mpm->deformation[i][p] = i == 0 || i == 3;
             mpm->field[p] = mpm->n_fields > 1 ? k * mpm->grid_nodes : 0;
         }
     }

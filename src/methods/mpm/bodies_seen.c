@@ -6,14 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Neighbours whose distance grows over d lambda may share no node any more, and nothing holds them together
- * then: hats from lambda = P on, boxes from P + 1, splines from 2 P. */
-static double torn_stretch(const Mpm *mpm)
-{
-    const int P = mpm->def.particles_per_cell;
-    return mpm->shape == MPM_HAT ? P : mpm->shape == MPM_GIMP ? P + 1 : 2 * P;
-}
-
 /* Squared distance over d^2 of a particle and its neighbour to the right or above; 0: it has none. */
 static double squared_stretch(const Mpm *mpm, int p, bool above)
 {
@@ -49,8 +41,11 @@ void bodies_note_tear(Mpm *mpm)
     char text[200];
     if (head->torn > 0)
         return;
+    /* neighbours whose distance grows over d lambda may share no node any more, and nothing holds them
+     * together then: hats from lambda = P on, boxes from P + 1, splines from 2 P */
+    const int P = mpm->def.particles_per_cell;
     const double stretch = bodies_largest_stretch(mpm, &at);
-    if (!(stretch > torn_stretch(mpm)))
+    if (!(stretch > (mpm->shape == MPM_HAT ? P : mpm->shape == MPM_GIMP ? P + 1 : 2 * P)))
         return;
     head->torn = mpm->sim.step + 1;
     head->torn_at = at;

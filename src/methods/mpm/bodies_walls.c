@@ -175,30 +175,23 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
         find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
 }
 
-/* The middle of the nodes at which a field pushes another one, or a wall, in the step going on. */
-static void meeting_place(const Mpm *mpm, int field, int other, double at[2])
-{
-    const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
-    double x = 0.0, y = 0.0, count = 0.0;
-    for (int i = 0; i < mpm->grid_nodes; i++)
-        if (touched[i] >> other & 1) {
-            x += mpm->xmin + i % mpm->gx * mpm->dx;
-            y += mpm->ymin + i / mpm->gx * mpm->dx;
-            count++;
-        }
-    at[0] = x / count, at[1] = y / count;
-}
-
 static void report_push(Mpm *mpm, int field, int other, EventKind kind)
 {
     const bool touches = kind == EVENT_TOUCH, is_wall = other >= BODIES_MAX;
-    double at[2];
     char text[120], where[48] = "", wall[24];
     if (is_wall)
         snprintf(wall, sizeof wall, "the %s wall", bodies_walls[other - BODIES_MAX]);
     if (touches) {
-        meeting_place(mpm, field, other, at);
-        snprintf(where, sizeof where, " at (%.3g, %.3g)", at[0], at[1]);
+        /* in the middle of the nodes at which it pushes */
+        const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
+        double x = 0.0, y = 0.0, count = 0.0;
+        for (int i = 0; i < mpm->grid_nodes; i++)
+            if (touched[i] >> other & 1) {
+                x += mpm->xmin + i % mpm->gx * mpm->dx;
+                y += mpm->ymin + i / mpm->gx * mpm->dx;
+                count++;
+            }
+        snprintf(where, sizeof where, " at (%.3g, %.3g)", x / count, y / count);
     }
     snprintf(text, sizeof text, "%s %s %s%s",
              mpm->n_fields > 1 || mpm->def.n_bodies == 1 ? mpm->def.bodies[field].name : "a body",

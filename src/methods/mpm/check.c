@@ -81,18 +81,6 @@ static bool check_method(const MpmDef *def, Status *status)
 
 /* --- bars ------------------------------------------------------------------------------------------- */
 
-/* The second material, if there is one. */
-static bool check_joint(const MpmDef *def, Status *status)
-{
-    return def->joint == 0.0 ||
-           (def->joint < def->length * (1 - 1e-9) && is_whole(def->joint / def->cell_size)) ||
-           status_refuse(
-               status,
-               "bar2.joint: %g is not a node inside the bar (0, or a whole number of cells less than "
-               "the length %g)",
-               def->joint, def->length);
-}
-
 /* M_c alone is singular where there are fewer particles than nodes, and nearly so where a cell at the end of
  * the bar is nearly empty: the largest stable step then falls with what is left in it. With mu > 0 it has a
  * floor that does not depend on how particles lie (USF and MUSL, hats: .24 at mu .05, .049 at .01). */
@@ -137,7 +125,14 @@ static bool check_bar(const MpmDef *def, Status *status)
     if ((long)round(cells) * def->particles_per_cell > PARTICLES_MAX)
         return status_refuse(status, "mesh.particles_per_cell: more than %d particles are not possible",
                              PARTICLES_MAX);
-    return check_joint(def, status) && mpm_check_mistakes(def, status) &&
+    if (def->joint != 0.0 &&
+        !(def->joint < def->length * (1 - 1e-9) && is_whole(def->joint / def->cell_size)))
+        return status_refuse(
+            status,
+            "bar2.joint: %g is not a node inside the bar (0, or a whole number of cells less than "
+            "the length %g)",
+            def->joint, def->length);
+    return mpm_check_mistakes(def, status) &&
            axial_check_layer(def->traction_layer, def->cell_size / def->particles_per_cell, def->length,
                              status);
 }

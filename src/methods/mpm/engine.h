@@ -86,6 +86,12 @@ typedef struct MpmExchange {
     char field[20], symbol[12], factors[24], note[88];
 } MpmExchange;
 
+/* What the check of the energy has seen (steps.c). */
+typedef struct Growth {
+    double peak_work; /* the largest magnitude of the work */
+    int level;        /* how many thresholds of growth were reported */
+} Growth;
+
 /* The part of the state that is not an array. Live parameters belong to it, so that a restored snapshot goes
  * on with the parameters of its own time. */
 typedef struct MpmHead {
@@ -105,7 +111,7 @@ typedef struct MpmHead {
         touching[BODIES_MAX];                             /* and in the last step */
     long torn; /* that in which neighbours parted first, and the one of them that comes first */
     int torn_at;
-    Growth growth; /* what the energy check has seen */
+    Growth growth;
 } MpmHead;
 
 /* Particles that are worked on together: `rows` ranges of `count`, `stride` apart. */

@@ -125,24 +125,8 @@ bool mpm_check(const MpmDef *, Status *);
 double mpm_time_step(const MpmDef *);
 
 /* Builds the simulation at t = 0. NULL: the status says what is wrong with the definition, or that there is
- * not enough memory. Fields in tables, in this order; others are shown on screen:
- *
- *     bar      particles x0 x u v stress strain density mass, with APIC also affine;
- *              nodes x mass momentum velocity f_int f_ext f
- *     beam     particles x0 y0 x y ux uy vx vy sxx syy sxy density mass, vx in the laboratory;
- *              nodes x y mass px py fx fy
- *     bodies   particles x y x0 y0 vx vy sxx syy sxy density mass body: by body, rows from below, in a row
- *              from the left; nodes x y mass px py fx fy body
- *
- * and the series, of which some columns are on request (Method.on_request):
- *
- *     bar      v_cm x_cm kinetic strain work total; total = kinetic + strain, and total - work keeps its
- *              value
- *     beam     u_probe v_probe, length (cantilever), kinetic strain work total; kinetic energies leave the
- *              cantilever's common speed out. total = kinetic + strain, which changes little: the work is
- *              that of the channel in the laboratory, where drawing the beam along counts too.
- *     bodies   kinetic strain potential friction total momentum_x momentum_y angular, then of each body
- *              NAME.x NAME.y NAME.vx NAME.vy NAME.spin
+ * not enough memory. What can be read of it: fields.c, rows.c. Particles of bodies are by body, rows from
+ * below, in a row from the left.
  *
  * A run fails, with particle, step and time in its status, when a particle leaves the mesh (of bodies: is
  * more than 2.5 cells outside the box), when its volume is not positive any more (1 + de <= 0, det F <= 0; on
@@ -150,9 +134,8 @@ double mpm_time_step(const MpmDef *);
  * the load have put in: looked at after each step that is a multiple of 64, where growth by 10 %, to twice,
  * 10, 100 and 1000 times is reported too. Heating by cell crossing stays far below.
  *
- * Live parameters: mpm.algorithm and mpm.flip_fraction; mpm.transfer of bars and bodies, mpm.mistake of bars
- * and beams; of bars also mpm.fmpm_order, mpm.mass_blend, load.body_force, load.traction. They belong to the
- * state: a snapshot that is put back brings those of its time, and the stages that go with them. */
+ * Live parameters (memory.c) belong to the state: a snapshot that is put back brings those of its time, and
+ * the stages that go with them. */
 Simulation *mpm_create(const MpmDef *, Status *);
 
 /* --- bars ----------------------------------------------------------------------------------------- */

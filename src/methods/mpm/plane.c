@@ -31,16 +31,6 @@ static int chunk_cells(int columns)
     return cells < 8 ? 8 : cells > 64 ? 64 : cells;
 }
 
-/* The mean of the middle two rows: over the two columns beside mid-span, or in the last column. */
-static void set_probe(Mpm *mpm)
-{
-    const int columns[2] = {mpm->def.leaves_channel ? mpm->nxp - 1 : (mpm->nxp - 1) / 2,
-                            mpm->def.leaves_channel ? mpm->nxp - 1 : mpm->nxp / 2};
-    const int rows[2] = {(mpm->nyp - 1) / 2, mpm->nyp / 2};
-    for (int k = 0; k < 4; k++)
-        mpm->probe[k] = rows[k / 2] * mpm->nxp + columns[k % 2]; /* a particle */
-}
-
 /* A node is inactive up to 1e-12 of a full cell's mass (anything from 1e-14 to 1e-8 gives the same). The grid
  * has `padding` cells all round, and on the right as many more as a cantilever gets ahead of it. */
 void plane_derive(Mpm *mpm)
@@ -71,7 +61,11 @@ void plane_derive(Mpm *mpm)
     mpm->xmin = -def->channel - def->padding * mpm->dx;
     mpm->ymin = -def->height / 2 - def->padding * mpm->dx;
     mpm->speed = def->speed;
-    set_probe(mpm);
+    /* the mean of the middle two rows: over the two columns beside mid-span, or in the last column */
+    for (int k = 0; k < 4; k++) {
+        const int column = def->leaves_channel ? mpm->nxp - 1 : k % 2 ? mpm->nxp / 2 : (mpm->nxp - 1) / 2;
+        mpm->probe[k] = (k / 2 ? mpm->nyp / 2 : (mpm->nyp - 1) / 2) * mpm->nxp + column; /* a particle */
+    }
 }
 
 /* --- particles at t = 0 ----------------------------------------------------------------------------- */
@@ -99,13 +93,6 @@ static Deflection deflection(const MpmDef *def, double x)
     return (Deflection){U * (cosh_a - cos_a - r * (sinh_a - sin_a)),
                         U * k * (sinh_a + sin_a - r * (cosh_a - cos_a)),
                         U * k * k * (cosh_a + cos_a - r * (sinh_a + sin_a))};
-}
-
-/* omega = (z/L)^2 h sqrt(E/(12 rho)), 1/s: Euler and Bernoulli's, of a beam without shear. */
-static double mode_frequency(const MpmDef *def)
-{
-    const double z = def->leaves_channel ? cantilever_root : M_PI, k = z / def->length;
-    return k * k * def->height * sqrt(def->youngs_modulus / (12 * def->density));
 }
 
 typedef struct Strain {
@@ -151,7 +138,9 @@ static void place(Mpm *mpm, int p)
     mpm->v[0][p] = mpm->speed;
     mpm->volume[p] = mpm->mass[0] / def->density;
     if (def->start == PLANE_VELOCITY) {
-        const double omega = mode_frequency(def);
+        /* omega = (z/L)^2 h sqrt(E/(12 rho)), 1/s: Euler and Bernoulli's, of a beam without shear */
+        const double k = (def->leaves_channel ? cantilever_root : M_PI) / def->length;
+        const double omega = k * k * def->height * sqrt(def->youngs_modulus / (12 * def->density));
         mpm->v[0][p] += omega * (-Y * bent.slope);
         mpm->v[1][p] = omega * bent.w;
         return;

@@ -19,15 +19,12 @@
 
 #include <string.h>
 
-/* Columns and rows of the grid that particles touch. */
-typedef struct Box {
-    int i, j, columns, rows;
-} Box;
-
 /* A matrix is a band over the nodes of the box, numbered by columns, of which so many columns are at hand as
  * a particle touches: column i in place i % columns. */
 typedef struct Work {
-    Box box;
+    struct {
+        int i, j, columns, rows;
+    } box;            /* columns and rows of the grid that particles touch */
     int width;        /* from a node to the last of its neighbours in this numbering */
     int stride;       /* numbers of a row of the matrix: the diagonal and `width` others */
     int columns;      /* at hand */
@@ -64,42 +61,36 @@ static double *column_of(const Work *work, int which, int column)
     return work->bands[which] + column % work->columns * work->box.rows * work->stride;
 }
 
-/* Chains of the particles by the column in which their nodes begin, each in their order, and the box of all.
- */
-static Box sort(const Mpm *mpm, int32_t *firsts, int32_t *nexts)
+/* Chains of the particles by the column in which their nodes begin, each in their order, and the box of all;
+ * then shares out the scratch, and says which nodes take part: those with mass that nothing holds, and what
+ * momentum they have. */
+static Work prepare(const Mpm *mpm)
 {
+    Work work = {.firsts = (int32_t *)mpm->null, .nexts = (int32_t *)mpm->null + mpm->gx};
     int left = mpm->gx, right = 0, low = mpm->gy, high = 0;
     for (int i = 0; i < mpm->gx; i++)
-        firsts[i] = -1;
+        work.firsts[i] = -1;
     for (int p = mpm->n_particles - 1; p >= 0; p--) {
         const int j = mpm->base[p] / mpm->gx, i = mpm->base[p] - j * mpm->gx;
-        nexts[p] = firsts[i];
-        firsts[i] = p;
+        work.nexts[p] = work.firsts[i];
+        work.firsts[i] = p;
         left = i < left ? i : left;
         right = i > right ? i : right;
         low = j < low ? j : low;
         high = j > high ? j : high;
     }
-    return (Box){left, low, right - left + mpm->support, high - low + mpm->support};
-}
-
-/* Shares out the scratch, and says which nodes take part: those with mass that nothing holds, and what
- * momentum they have. */
-static Work prepare(const Mpm *mpm)
-{
-    Work work = {.firsts = (int32_t *)mpm->null, .nexts = (int32_t *)mpm->null + mpm->gx};
-    const Box box = work.box = sort(mpm, work.firsts, work.nexts);
-    const int count = box.columns * box.rows;
-    work.width = width_of(mpm, box.rows);
+    const int columns = right - left + mpm->support, rows = high - low + mpm->support, count = columns * rows;
+    work.box.i = left, work.box.j = low, work.box.columns = columns, work.box.rows = rows;
+    work.width = width_of(mpm, rows);
     work.stride = work.width + 1;
     work.z[0] = mpm->null + (mpm->gx + mpm->n_particles + 1) / 2;
     work.z[1] = work.z[0] + count;
     work.bands[0] = work.z[1] + count;
-    work.bands[1] = work.bands[0] + mpm->support * box.rows * work.stride;
-    work.out[0] = (bool *)(work.bands[1] + mpm->support * box.rows * work.stride);
+    work.bands[1] = work.bands[0] + mpm->support * rows * work.stride;
+    work.out[0] = (bool *)(work.bands[1] + mpm->support * rows * work.stride);
     work.out[1] = work.out[0] + count;
     for (int k = 0; k < count; k++) {
-        const int column = box.i + k / box.rows, row = box.j + k % box.rows, node = row * mpm->gx + column;
+        const int column = left + k / rows, row = low + k % rows, node = row * mpm->gx + column;
         const bool inside = column < mpm->gx && row < mpm->gy;
         for (int axis = 0; axis < 2; axis++) {
             const double speed = axis == 0 ? mpm->speed : 0;

@@ -372,31 +372,12 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
     }
 }
 
-/* In the plane supports take the force of the nodes that they hold in a stage of its own, for a channel that
- * moves with v0 does work on the beam there: -f_x v0 dt times the thickness, J, f_x the beam's force. */
-static void add_push(Mpm *mpm)
-{
-    double push = 0.0;
-    for (int i = 0; mpm->speed != 0.0 && i < mpm->n_nodes; i++)
-        if (mpm->free[0][i] == 0.0)
-            push += mpm->force[0][i];
-    mpm->head->work -= push * mpm->speed * mpm->dt * mpm->def.thickness;
-}
-
+/* In the plane supports take the force of the nodes that they hold in a stage of its own. */
 static void fix_force(Mpm *mpm, int first, int end)
 {
     for (int axis = 0; axis < mpm->dim; axis++)
         for (int i = first; i < end; i++)
             mpm->force[axis][i] = mpm_holds_force(mpm, axis, i) ? 0.0 : mpm->force[axis][i];
-}
-
-/* dt a with M a = f, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum of both.
- * With lumped masses integrate() does it node by node. */
-static void find_kicks(Mpm *mpm)
-{
-    for (int i = 0; i < mpm->n_nodes; i++)
-        mpm->kick[0][i] = mpm->dt * (mpm->force[0][i] + (mpm_is_loaded(mpm) ? mpm->load[i] : 0.0));
-    mpm_solve(mpm, mpm->kick[0]);
 }
 
 /* --- integrate momentum --------------------------------------------------------------------------- */
@@ -443,14 +424,6 @@ static void integrate_bodies(Mpm *mpm, int first, int end)
         for (int i = first; i < end; i++)
             q[i] += dt * (f[i] - damping * q[i]);
     }
-}
-
-/* The work of the loads, sum f_ext dx_i, with the velocity by which particles move. */
-static void add_work(Mpm *mpm)
-{
-    for (int i = 0; mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
-        if (!mpm_holds_force(mpm, 0, i))
-            mpm->head->work += mpm->load[i] * (mpm->dt * mpm->carry[0][i]);
 }
 
 /* --- update particles ----------------------------------------------------------------------------- */
@@ -582,8 +555,14 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
     for (int axis = 0; op == OP_UPDATE && mpm->notes_sums && !mpm->bodies && axis < mpm->dim; axis++)
         mpm->head->momentum[axis] = mpm_sum(mpm, mpm->v[axis]);
     mpm_find_held(mpm, step);
+    /* a channel that moves with v0 does work on the beam there: -f_x v0 dt times the thickness, J, f_x the
+     * beam's force */
+    double push = 0.0;
+    for (int i = 0; op == OP_FIX_FORCE && mpm->speed != 0.0 && i < mpm->n_nodes; i++)
+        if (mpm->free[0][i] == 0.0)
+            push += mpm->force[0][i];
     if (op == OP_FIX_FORCE)
-        add_push(mpm);
+        mpm->head->work -= push * mpm->speed * mpm->dt * mpm->def.thickness;
 }
 
 /* Returns the first particle of [first, end) with which the run cannot go on; -1: there is none. */
@@ -679,12 +658,19 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
                 return mpm_fail_particle(mpm, status, p, "was stretched over two cells");
         return true;
     case OP_FORCE:
-        if (!mpm_is_lumped(mpm))
-            find_kicks(mpm);
+        if (mpm_is_lumped(mpm))
+            return true; /* integrate() does it node by node */
+        /* dt a with M a = f, or FMPM's series of dt f: it is linear, so that v(k) of p + dt f is the sum of
+         * both */
+        for (int i = 0; i < mpm->n_nodes; i++)
+            mpm->kick[0][i] = mpm->dt * (mpm->force[0][i] + (mpm_is_loaded(mpm) ? mpm->load[i] : 0.0));
+        mpm_solve(mpm, mpm->kick[0]);
         return true;
     case OP_INTEGRATE:
-        if (mpm->dim == 1)
-            add_work(mpm);
+        /* the work of the loads, sum f_ext dx_i, with the velocity by which particles move */
+        for (int i = 0; mpm->dim == 1 && mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
+            if (!mpm_holds_force(mpm, 0, i))
+                mpm->head->work += mpm->load[i] * (mpm->dt * mpm->carry[0][i]);
         if (mpm_does(mpm, WRONG_KEEPS_INTEGRATED) || mpm_does(mpm, WRONG_KEEPS_TWICE))
             for (int axis = 0; axis < mpm->dim; axis++)
                 memcpy(mpm->kept_momentum[axis], mpm->momentum[axis], bytes);

@@ -75,13 +75,6 @@ static void write_form(const Mpm *mpm, const char *form, int axis, char *out, si
     text_append(out, size, "%s", calculation_label(mpm->dim, form ? form : "", axis, 0).text);
 }
 
-/* Whether a wrong code adds to what the grid had. */
-static bool keeps(const Mpm *mpm, MpmOp op)
-{
-    return (op == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID)) ||
-           (op == OP_MAP_AGAIN && mpm_does(mpm, WRONG_KEEPS_TWICE));
-}
-
 void mpm_list_exchanges(Mpm *mpm)
 {
     int count = 0;
@@ -99,11 +92,13 @@ void mpm_list_exchanges(Mpm *mpm)
             write_form(mpm, row->term == TERM_LOAD ? mpm->force_words.load : row->note, axis, words->note,
                        sizeof words->note);
             const bool gives = mpm_op_gives(row->op);
+            const bool keeps = mpm_does(mpm, row->op == OP_MAP ? WRONG_KEEPS_GRID : WRONG_KEEPS_TWICE) &&
+                               (row->op == OP_MAP || row->op == OP_MAP_AGAIN); /* adds to what the grid had */
             mpm->exchanges[count++] = (Exchange){.stage = stage_ids[row->op],
                                                  .from = gives ? MPM_PARTICLES : MPM_NODES,
                                                  .to = gives ? MPM_NODES : MPM_PARTICLES,
                                                  .field = words->field,
-                                                 .adds = row->adds || keeps(mpm, row->op),
+                                                 .adds = row->adds || keeps,
                                                  .factors = words->factors,
                                                  .note = *words->note ? words->note : NULL};
         }
@@ -166,17 +161,6 @@ static double gain_of(const Mpm *mpm, int axis, int p, int node, const MpmWeight
     return alpha * kick[node] + (1.0 - alpha) * (v[node] - old);
 }
 
-/* N of a particle at its node, by which it takes its velocity. */
-static double kick_weight(const Mpm *mpm, int p, int node, double weight)
-{
-    double n[SHAPE_SUPPORT_MAX];
-    int base;
-    if (!mpm_does(mpm, WRONG_NEW_WEIGHTS))
-        return weight;
-    mpm_kick_weights(mpm, p, &base, n);
-    return node >= base && node < base + mpm->support ? n[node - base] : 0.0;
-}
-
 /* The factors of one term, in the order of the exchange's words. 0: not at hand, or the node is none of the
  * particle's cell. */
 int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *link,
@@ -196,7 +180,8 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *
         return 0;
     const MpmWeights w = mpm_weights_of(mpm, p);
     const double *const n = w.n[0], *const dn = w.dn[0];
-    const double ny = w.n[1][at[1]], N = n[at[0]] * ny, m = mpm_mass(mpm, p);
+    const double ny = w.n[1][at[1]], m = mpm_mass(mpm, p);
+    double N = n[at[0]] * ny;
     const double slope[2] = {dn[at[0]] * ny, n[at[0]] * w.dn[1][at[1]]};
     switch (of->term) {
     case TERM_MASS:
@@ -229,8 +214,13 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *
             return exchange_two(factors, N, mpm->carry[axis][node]);
         if (mpm->bodies || mpm->head->flip_fraction != 1.0)
             return exchange_two(factors, N, gain_of(mpm, axis, p, node, &w));
-        return exchange_three(factors, mpm->dt, kick_weight(mpm, p, node, N),
-                              mpm->kick[axis][node] / mpm->dt);
+        if (mpm_does(mpm, WRONG_NEW_WEIGHTS)) {
+            double new[SHAPE_SUPPORT_MAX];
+            int first;
+            mpm_kick_weights(mpm, p, &first, new);
+            N = node >= first && node < first + mpm->support ? new[node - first] : 0.0;
+        }
+        return exchange_three(factors, mpm->dt, N, mpm->kick[axis][node] / mpm->dt);
     case TERM_PLACE:
         if (mpm->head->transfer == MPM_FMPM) /* the velocity before, no longer stored, is solved for */
             return exchange_three(factors, mpm->dt, N,

@@ -101,28 +101,12 @@ int beam_outer_cut(const BeamDef *definition);
 /* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
  * ..."), or says that there is not enough memory.
  *
- * Sets: 0 particles (the nodes of the lattice), 1 bonds. Fields in tables: particles x0 y0 ux uy vx vy damage
- * surface_factor strain_energy; bonds i j x_i y_i x_j y_j (reference positions) stretch broken broken_at (the
- * step after which the bond was broken: 0 the notch, -1 not broken). On screen also, for particles: fx fy
- * (force density) speed stretch (largest of its live bonds) family surface_x surface_y held loaded probe
- * protected; for bonds: notch pull energy.
- *
- * Series: u_probe v_probe, of a plate also ux_probe vx_probe; length (moving) or crack_x crack_y crack_length
- * (notched); kinetic strain work dissipated total broken_bonds; damped where damping is at work. total =
- * kinetic + strain + dissipated + damped; less the work it keeps its value. broken_bonds leaves out the
- * notch's. Live parameters: load.stress, load.body_force, pd.critical_stretch, pd.mistake.
- *
- * Of a bar: particles x0 x u v stress strain density mass as on the bar by the material point method, then
- * strain_energy surface_factor, and force load stretch family acceleration; bonds (those between two nodes of
- * the bar, not those to mirrored nodes) i j x_i x_j stretch. Stress is the force of all bonds through a
- * section, the mean of the sections on both sides of the node; strain is the mean stretch of the node's
- * bonds, weighted with their lengths and volumes. Series: v_cm x_cm kinetic strain work total momentum
- * reaction. Live parameters: load.body_force, load.traction, pd.mistake. A run fails when a node comes nearly
- * a spacing nearer to its neighbour (at a fixed end: its own image), or a spacing further away: beyond the
- * critical time step that is where it ends.
- *
- * The crack as the paper speaks of it (first break, tip, angle, arrival): methods/bonds/cracks/crack.h.
- */
+ * Sets: 0 particles (the nodes of the lattice), 1 bonds, of a bar those between two of its nodes; their
+ * fields and the series are the tables of bonds_fields.c and bonds_series.c. Bonds that the notch or a cut
+ * parts broke in step 0. Live parameters: bonds_state.c. A bar's run fails when a node comes nearly a spacing
+ * nearer to its neighbour (at a fixed end: its own image), or a spacing further away: beyond the critical
+ * time step that is where it ends. The crack as the paper speaks of it (first break, tip, angle, arrival):
+ * crack.h. */
 Simulation *beam_create(const BeamDef *definition, Status *status);
 
 /* What the lattice came to; for the read-only rows and the tables. */
