@@ -349,15 +349,27 @@ double simulation_named(const Simulation *sim, int set, const char *name, size_t
     return simulation_value(sim, simulation_find_field(sim, set, name), index);
 }
 
-void stage_complete(Stage *stage, const Stage *other)
+bool stage_when(unsigned when, unsigned run, const unsigned *groups)
 {
-    const char **const members[] = {&stage->id,       &stage->name,  &stage->equation, &stage->source,
-                                    &stage->sentence, &stage->reads, &stage->writes};
-    const char *const others[] = {other->id,       other->name,  other->equation, other->source,
-                                  other->sentence, other->reads, other->writes};
-    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
-        if (!*members[k])
-            *members[k] = others[k];
+    for (; *groups; groups++)
+        if ((when & *groups) && !(when & *groups & run))
+            return false;
+    return true;
+}
+
+Stage stage_words(const StageWords *rows, size_t count, int stage, unsigned run, const unsigned *groups)
+{
+    Stage words = {NULL};
+    const char **const members[] = {&words.id,       &words.name,  &words.equation, &words.source,
+                                    &words.sentence, &words.reads, &words.writes};
+    for (const StageWords *row = rows; row < rows + count; row++) {
+        const Stage *own = &row->words;
+        const char *const others[] = {own->id,       own->name,  own->equation, own->source,
+                                      own->sentence, own->reads, own->writes};
+        for (size_t k = 0; row->stage == stage && stage_when(row->when, run, groups) && k < 7; k++)
+            *members[k] = others[k] ? others[k] : *members[k];
+    }
+    return words;
 }
 
 static int by_pull(const void *a, const void *b)

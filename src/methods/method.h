@@ -72,8 +72,24 @@ typedef struct Stage {
     const char *writes;
 } Stage;
 
-/* What a stage does not say of itself it has as another one. */
-void stage_complete(Stage *, const Stage *other);
+/* What a stage says in runs of which some conditions hold, bits that are the method's own. Of each group of
+ * conditions (ended by 0) at most one holds in a run; of a group of which `when` names none any will do. A
+ * stage says what the last row that is for the run says of it, a member that is not said there as in a row
+ * before. */
+typedef struct StageWords {
+    int stage;
+    unsigned when;
+    Stage words;
+} StageWords;
+#define STAGE_WORDS(stage, when, ...)                                                                        \
+    {                                                                                                        \
+        stage, when,                                                                                         \
+        {                                                                                                    \
+            __VA_ARGS__                                                                                      \
+        }                                                                                                    \
+    }
+bool stage_when(unsigned when, unsigned run, const unsigned *groups);
+Stage stage_words(const StageWords *, size_t count, int stage, unsigned run, const unsigned *groups);
 
 enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_DIMENSIONS_MAX = 2 };
 

@@ -449,8 +449,7 @@ bool mpm_op_of_nodes(MpmOp);
 
 /* --- what front ends read --------------------------------------------------------------------------- */
 
-/* What a run is, as far as its words depend on it: one of each group. Whether it is one of those that are
- * named; of a group of which none is named any will do. */
+/* What a run is, as far as its words depend on it: one of each group (StageWords in method.h). */
 enum {
     IN_LINE = 1 << 0,
     IN_BEAM = 1 << 1,
@@ -464,12 +463,10 @@ enum {
     BY_FMPM = 1 << 7,
     IS_LUMPED = 1 << 8,
     IS_COUPLED = 1 << 9,
-    OF_HATS = 1 << 10,
-    OF_OTHERS = 1 << 11,
-    IS_TURNED = 1 << 12, /* the stress turns with the body */
-    IS_UNTURNED = 1 << 13,
-    IS_NEO = 1 << 14,
-    IS_HYPOELASTIC = 1 << 15
+    OF_OTHERS = 1 << 10, /* than hats */
+    IS_TURNED = 1 << 11, /* the stress turns with the body */
+    IS_UNTURNED = 1 << 12,
+    IS_NEO = 1 << 13
 };
 bool mpm_is(const Mpm *, unsigned when);
 

@@ -9,70 +9,104 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Velocity Verlet (paper P, eqs. 9 to 11) of beams on supports. */
-static const Stage stage_table[N_STAGES] = {
-    [STAGE_HALF_KICK] = {"half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",
-                         "The force of the last step changes the velocity of each node over half a step.",
-                         "vx vy fx fy", "vx vy"},
-    [STAGE_DRIFT] = {"drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",
-                     "Each node moves with its half-step velocity.", "ux uy vx vy", "ux uy"},
-    [STAGE_CONSTRAINTS] = {"constraints", "supports", "uy = 0 at the supports, ux = 0 at the left one",
-                           "eqs. 12, 13", "Supported nodes stay where they are.", "ux uy vx vy held",
-                           "ux uy vx vy"},
-    [STAGE_BONDS] = {"bonds", "bond forces",
-                     "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken\n"
-                     "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
-                     "eqs. 2, 3, 6, 8",
-                     "The force of a bond is in proportion to its stretch until it breaks; the force on a "
-                     "node is the sum over its family.",
-                     "ux uy", "fx fy stretch broken broken_at"},
-    [STAGE_BODY_FORCE] = {"body-force", "body force", NULL, "eq. 8", NULL, "loaded fy",
-                          "fy"}, /* by its terms */
-    [STAGE_SECOND_KICK] = {"second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)", "eq. 11",
-                           "The new force completes the velocity of the step; supports hold again.",
-                           "vx vy fx fy held", "vx vy"},
-    [STAGE_DAMAGE] = {"damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "eqs. 5, 6",
-                      "The damage of a node is the fraction of its bonds that are broken.", "broken",
-                      "damage"},
-};
+/* What a run is, as far as the words of its stages depend on it: one of each group. */
+#define OF(problem)  (1u << (problem))
+#define BY(stepping) (1u << (8 + (int)(stepping)))
+#define IN_PLANE     (OF(BEAM_SIMPLY_SUPPORTED) | OF(BEAM_MOVING_CANTILEVER) | OF(BEAM_NOTCHED) | OF(BEAM_PLATE))
+#define ONE_KICK                                                                                             \
+    (BY(STEPPING_EULER) | BY(STEPPING_EULER_POSITION) | BY(STEPPING_LEAPFROG) | BY(STEPPING_LEAPFROG_AHEAD))
+enum { DAMPED = 1 << 16, UNPINNED = 1 << 17, UNLOADED = 1 << 18 };
+static const unsigned groups[] = {
+    IN_PLANE | OF(BEAM_BAR), BY(STEPPING_VERLET) | ONE_KICK, DAMPED, UNPINNED, UNLOADED, 0};
 
-/* What differs of a bar; nothing of it breaks. */
-static const Stage line_stages[N_STAGES] = {
-    [STAGE_HALF_KICK] = {.reads = "v force acceleration", .writes = "v"},
-    [STAGE_DRIFT] = {.reads = "u v", .writes = "u x"},
-    [STAGE_CONSTRAINTS] =
-        {"mirror", "mirrored ends", "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0", "odd reflection",
-         "Beyond a fixed end lies a mirror image of the bar; beyond a free end there is nothing.", "u", "u"},
-    [STAGE_BONDS] = {.equation = "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
-                                 "f(i) = Σ c G w s V sign(ξ+η)",
-                     .source = "eqs. 2, 3, 8",
-                     .sentence = "The force of a bond is in proportion to its stretch; the force on a node "
-                                 "is the sum over its family.",
-                     .reads = "u family surface_factor",
-                     .writes = "force stress strain density strain_energy"},
-    [STAGE_BODY_FORCE] = {.id = "load", .name = "loads", .reads = "load force", .writes = "force"},
-    [STAGE_SECOND_KICK] = {.sentence = "The new force completes the velocity of the step.",
-                           .reads = "v force acceleration",
-                           .writes = "v"},
-};
+/* The force of loads is worded by its terms. */
+static const StageWords rows[] = {
+    /* velocity Verlet (paper P, eqs. 9 to 11) of beams on supports */
+    STAGE_WORDS(STAGE_HALF_KICK, 0, "half-kick", "half kick", "v(n+½) = v(n) + Δt/2 a(n),   a = f/ρ", "eq. 9",
+                "The force of the last step changes the velocity of each node over half a step.",
+                "vx vy fx fy", "vx vy"),
+    STAGE_WORDS(STAGE_DRIFT, 0, "drift", "drift", "u(n+1) = u(n) + Δt v(n+½)", "eq. 10",
+                "Each node moves with its half-step velocity.", "ux uy vx vy", "ux uy"),
+    STAGE_WORDS(STAGE_CONSTRAINTS, 0, "constraints", "supports",
+                "uy = 0 at the supports, ux = 0 at the left one", "eqs. 12, 13",
+                "Supported nodes stay where they are.", "ux uy vx vy held", "ux uy vx vy"),
+    STAGE_WORDS(STAGE_BONDS, 0, "bonds", "bond forces",
+                "s = (|ξ+η| − |ξ|)/|ξ|,   s ≥ s0: broken\n"
+                "f(i) = Σ c G w s V (ξ+η)/|ξ+η|",
+                "eqs. 2, 3, 6, 8",
+                "The force of a bond is in proportion to its stretch until it breaks; the force on a "
+                "node is the sum over its family.",
+                "ux uy", "fx fy stretch broken broken_at"),
+    STAGE_WORDS(STAGE_BODY_FORCE, 0, "body-force", "body force", NULL, "eq. 8", NULL, "loaded fy", "fy"),
+    STAGE_WORDS(STAGE_SECOND_KICK, 0, "second-kick", "second half kick", "v(n+1) = v(n+½) + Δt/2 a(n+1)",
+                "eq. 11", "The new force completes the velocity of the step; supports hold again.",
+                "vx vy fx fy held", "vx vy"),
+    STAGE_WORDS(STAGE_DAMAGE, 0, "damage", "damage", "φ(i) = 1 − Σ μ w V / Σ w V", "eqs. 5, 6",
+                "The damage of a node is the fraction of its bonds that are broken.", "broken", "damage"),
 
-/* The kicks of the steppings other than velocity Verlet, before the drift and after it. */
-#define KICK(formula, says) .source = "in words", .equation = formula, .sentence = says
-static const Stage no_kick = {KICK("nothing", "One kick a step is enough.")};
-static const Stage kicks[][2] = {
-    [STEPPING_EULER] = {{KICK("v(n+1) = v(n) + Δt a(n),   a = f/ρ",
-                              "The force of the last step gives every node its new velocity.")}},
-    [STEPPING_EULER_POSITION] = {{NULL},
-                                 {KICK("v(n+1) = v(n) + Δt a(n+1)",
-                                       "The new force gives every node its new velocity.")}},
-    [STEPPING_LEAPFROG] = {{KICK(
-        "v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
-        "The force of the last step carries the velocity from half step to half step.")}},
-    [STEPPING_LEAPFROG_AHEAD] =
-        {{KICK("in step 1 alone: v(½) = v(0) + Δt/2 a(0)",
-               "Before the first step a half kick sets the velocity half a step ahead.")},
-         {KICK("v(n+3/2) = v(n+½) + Δt a(n+1)",
-               "The new force carries the velocity from half step to half step.")}},
+    /* a bar; nothing of it breaks */
+    STAGE_WORDS(STAGE_HALF_KICK, OF(BEAM_BAR), .reads = "v force acceleration", .writes = "v"),
+    STAGE_WORDS(STAGE_DRIFT, OF(BEAM_BAR), .reads = "u v", .writes = "u x"),
+    STAGE_WORDS(STAGE_CONSTRAINTS, OF(BEAM_BAR), "mirror", "mirrored ends",
+                "fixed end at 0:  u(−X) = −u(X),   so u(0) = 0", "odd reflection",
+                "Beyond a fixed end lies a mirror image of the bar; beyond a free end there is nothing.", "u",
+                "u"),
+    STAGE_WORDS(STAGE_BONDS, OF(BEAM_BAR),
+                .equation = "s = (|ξ+η| − |ξ|)/|ξ|,   c = c(|ξ|)\n"
+                            "f(i) = Σ c G w s V sign(ξ+η)",
+                .source = "eqs. 2, 3, 8",
+                .sentence = "The force of a bond is in proportion to its stretch; the force on a node "
+                            "is the sum over its family.",
+                .reads = "u family surface_factor", .writes = "force stress strain density strain_energy"),
+    STAGE_WORDS(STAGE_BODY_FORCE, OF(BEAM_BAR), .id = "load", .name = "loads", .reads = "load force",
+                .writes = "force"),
+    STAGE_WORDS(STAGE_SECOND_KICK, OF(BEAM_BAR),
+                .sentence = "The new force completes the velocity of the step.",
+                .reads = "v force acceleration", .writes = "v"),
+
+    /* other problems */
+    STAGE_WORDS(STAGE_CONSTRAINTS, OF(BEAM_MOVING_CANTILEVER), .name = "clamp",
+                .equation = "in the channel uy = 0, with a full clamp ux = v0t", .source = "in words",
+                .sentence = "The channel guides the nodes inside it."),
+    STAGE_WORDS(STAGE_SECOND_KICK, OF(BEAM_MOVING_CANTILEVER),
+                .sentence = "The new force completes the step's velocity; the clamp holds again."),
+    STAGE_WORDS(STAGE_CONSTRAINTS, OF(BEAM_NOTCHED), .source = "in words"),
+    STAGE_WORDS(STAGE_CONSTRAINTS, OF(BEAM_NOTCHED) | UNPINNED,
+                .equation = "uy = 0 at the supports, ux is free"),
+    STAGE_WORDS(STAGE_CONSTRAINTS, OF(BEAM_PLATE),
+                .equation = "v = V in the directions that a support gives; V = 0 holds", .source = "in words",
+                .sentence = "Supports keep their velocity, whatever the bonds pull."),
+    STAGE_WORDS(STAGE_BODY_FORCE, OF(BEAM_PLATE), .reads = "loaded fx fy", .writes = "fx fy"),
+    STAGE_WORDS(STAGE_BODY_FORCE, IN_PLANE | UNLOADED, .reads = "fy"),
+
+    /* damped */
+    STAGE_WORDS(STAGE_HALF_KICK, DAMPED, .equation = "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ",
+                .sentence =
+                    "The last force adds half a step's worth of velocity, and damping takes its share."),
+    STAGE_WORDS(STAGE_HALF_KICK, DAMPED | OF(BEAM_MOVING_CANTILEVER),
+                .sentence = "The last force adds half a step's worth of velocity, and "
+                            "damping takes its share: of vx what differs from v0."),
+    STAGE_WORDS(STAGE_SECOND_KICK, DAMPED, .equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)"),
+
+    /* one kick a step, before the drift or after it */
+    STAGE_WORDS(STAGE_HALF_KICK, ONE_KICK, .name = "first kick", .equation = "nothing", .source = "in words",
+                .sentence = "One kick a step is enough."),
+    STAGE_WORDS(STAGE_SECOND_KICK, ONE_KICK, .name = "second kick", .equation = "nothing",
+                .source = "in words", .sentence = "One kick a step is enough."),
+    STAGE_WORDS(STAGE_DRIFT, ONE_KICK, .equation = "u(n+1) = u(n) + Δt v",
+                .sentence = "Each node moves with its present velocity."),
+    STAGE_WORDS(STAGE_HALF_KICK, BY(STEPPING_EULER), .equation = "v(n+1) = v(n) + Δt a(n),   a = f/ρ",
+                .sentence = "The force of the last step gives every node its new velocity."),
+    STAGE_WORDS(STAGE_SECOND_KICK, BY(STEPPING_EULER_POSITION), .equation = "v(n+1) = v(n) + Δt a(n+1)",
+                .sentence = "The new force gives every node its new velocity."),
+    STAGE_WORDS(STAGE_HALF_KICK, BY(STEPPING_LEAPFROG),
+                .equation = "v(n+½) = v(n−½) + Δt a(n),   in step 1: v(½) = v(0) + Δt/2 a(0)",
+                .sentence = "The force of the last step carries the velocity from half step to half step."),
+    STAGE_WORDS(STAGE_HALF_KICK, BY(STEPPING_LEAPFROG_AHEAD),
+                .equation = "in step 1 alone: v(½) = v(0) + Δt/2 a(0)",
+                .sentence = "Before the first step a half kick sets the velocity half a step ahead."),
+    STAGE_WORDS(STAGE_SECOND_KICK, BY(STEPPING_LEAPFROG_AHEAD), .equation = "v(n+3/2) = v(n+½) + Δt a(n+1)",
+                .sentence = "The new force carries the velocity from half step to half step."),
 };
 
 /* What bonds give their ends, along a line and in the plane. */
@@ -83,71 +117,22 @@ static const Stage kicks[][2] = {
 static const Exchange exchange_table[] = {BONDS_GIVE("force", "p n"), BONDS_GIVE("fx", "p nx"),
                                           BONDS_GIVE("fy", "p ny")};
 
-/* What is not said stays as it is. */
-static void reword(Stage *stage, Stage words)
-{
-    stage_complete(&words, stage);
-    *stage = words;
-}
-
-static void word_kicks(Stage *stages, Stepping stepping)
-{
-    for (int k = 0; k < 2 && stepping != STEPPING_VERLET; k++) {
-        Stage *stage = &stages[k == 0 ? STAGE_HALF_KICK : STAGE_SECOND_KICK];
-        stage->name = k == 0 ? "first kick" : "second kick";
-        reword(stage, kicks[stepping][k].equation ? kicks[stepping][k] : no_kick);
-    }
-    if (stepping != STEPPING_VERLET)
-        reword(&stages[STAGE_DRIFT], (Stage){.equation = "u(n+1) = u(n) + Δt v",
-                                             .sentence = "Each node moves with its present velocity."});
-}
-
 void beam_set_stages(Beam *beam)
 {
-    Stage *const stages = beam->stages, *const force = &stages[STAGE_BODY_FORCE],
-                 *const constraints = &stages[STAGE_CONSTRAINTS];
-    const bool moving = beam->def.problem == BEAM_MOVING_CANTILEVER;
-    for (int k = 0; k < N_STAGES; k++) {
-        stages[k] = beam->lattice.line ? line_stages[k] : (Stage){NULL};
-        stage_complete(&stages[k], &stage_table[k]);
-    }
-    if (moving) {
-        reword(constraints, (Stage){.name = "clamp",
-                                    .equation = "in the channel uy = 0, with a full clamp ux = v0t",
-                                    .source = "in words",
-                                    .sentence = "The channel guides the nodes inside it."});
-        stages[STAGE_SECOND_KICK].sentence =
-            "The new force completes the step's velocity; the clamp holds again.";
-    }
-    if (beam->def.problem == BEAM_NOTCHED)
-        reword(constraints,
-               (Stage){.equation = beam->def.pinned ? NULL : "uy = 0 at the supports, ux is free",
-                       .source = "in words"});
-    if (beam->def.problem == BEAM_PLATE) {
-        reword(constraints, (Stage){.equation = "v = V in the directions that a support gives; V = 0 holds",
-                                    .source = "in words",
-                                    .sentence = "Supports keep their velocity, whatever the bonds pull."});
-        reword(force, (Stage){.reads = "loaded fx fy", .writes = "fx fy"});
-    }
-    if (beam->damping > 0) {
-        reword(&stages[STAGE_HALF_KICK],
-               (Stage){.equation = "v(n+½) = (1 − α Δt/2) v(n) + Δt/2 f/ρ",
-                       .sentence = moving ? "The last force adds half a step's worth of velocity, and "
-                                            "damping takes its share: of vx what differs from v0."
-                                          : "The last force adds half a step's worth of velocity, and "
-                                            "damping takes its share."});
-        stages[STAGE_SECOND_KICK].equation = "v(n+1) = (v(n+½) + Δt/2 f/ρ)/(1 + α Δt/2)";
-    }
-    word_kicks(stages, beam->def.stepping);
-    if (beam->n_loads == 0 && !beam->lattice.line)
-        force->reads = "fy";
+    const BeamDef *def = &beam->def;
+    const unsigned run = OF(def->problem) | BY(def->stepping) | (beam->damping > 0 ? DAMPED : 0u) |
+                         (def->pinned ? 0u : UNPINNED) | (beam->n_loads > 0 ? 0u : UNLOADED);
+    for (int k = 0; k < N_STAGES; k++)
+        beam->stages[k] = stage_words(rows, sizeof rows / sizeof *rows, k, run, groups);
     const ForceTerms forces = beam_terms(beam);
-    forces_word_stage(&forces, &beam->force_words, force);
+    forces_word_stage(&forces, &beam->force_words, &beam->stages[STAGE_BODY_FORCE]);
     const BondsMistake *mistake = beam->def.conceals_mistake ? NULL : bonds_mistake(beam);
-    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++)
-        reword(&stages[mistake->lines[k].stage], (Stage){.equation = mistake->lines[k].equation,
-                                                         .source = mistake->id,
-                                                         .sentence = mistake->sentence});
+    for (int k = 0; mistake && k < MISTAKE_LINES && mistake->lines[k].equation; k++) {
+        Stage *const stage = &beam->stages[mistake->lines[k].stage];
+        stage->equation = mistake->lines[k].equation;
+        stage->source = mistake->id;
+        stage->sentence = mistake->sentence;
+    }
     beam->sim.stages = beam->stages;
     beam->sim.n_stages = beam->lattice.line ? STAGE_DAMAGE : N_STAGES;
     beam->sim.exchanges = beam->exchanges;
@@ -162,6 +147,7 @@ void beam_set_stages(Beam *beam)
  * first. */
 typedef struct Subject {
     const Beam *beam;
+    int stage;
     const void *before; /* the state before the stage; NULL: not known */
     size_t index, at;   /* the node, and where it is in a padded array */
     Link family[FAMILY_MAX];
@@ -226,9 +212,10 @@ static void write_vector(const Subject *subject, const char *words, const char *
 /* Eqs. 9 and 11, each half of a step, or a whole kick: v = v + dt/(2 rho) f, from the velocity before the
  * stage. With damping both halves as v = v + h (f/rho - alpha v): h = dt/2 in the first, that over 1 + alpha
  * dt/2 in the second. */
-static void explain_kick(const Subject *subject, bool second)
+static void explain_kick(const Subject *subject)
 {
     const Beam *beam = subject->beam;
+    const bool second = subject->stage == STAGE_SECOND_KICK;
     const double share = bonds_kick_share(beam, second, beam->sim.step);
     const double density = beam->def.density, half = beam->sim.dt / 2, alpha = beam->damping;
     if (share == 0)
@@ -292,6 +279,10 @@ static void explain_mirror(const Subject *subject)
 static void explain_constraints(const Subject *subject)
 {
     const Beam *beam = subject->beam;
+    if (beam->lattice.line) {
+        explain_mirror(subject);
+        return;
+    }
     const int i = lattice_column(&beam->lattice, subject->index),
               j = lattice_row(&beam->lattice, subject->index);
     if (i < beam_held_columns(beam, (double)(beam->sim.step + 1) * beam->sim.dt)) {
@@ -395,6 +386,13 @@ static void explain_damage(const Subject *subject)
     calculation_sum(subject->to, &sum);
 }
 
+static void (*const of_stage[N_STAGES])(const Subject *) = {
+    [STAGE_HALF_KICK] = explain_kick,          [STAGE_DRIFT] = explain_drift,
+    [STAGE_CONSTRAINTS] = explain_constraints, [STAGE_BONDS] = explain_bonds,
+    [STAGE_BODY_FORCE] = explain_body_force,   [STAGE_SECOND_KICK] = explain_kick,
+    [STAGE_DAMAGE] = explain_damage,
+};
+
 void beam_explain(const Simulation *sim, int stage, int set, size_t index, const void *before, int terms,
                   char *out, size_t size)
 {
@@ -404,6 +402,7 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
     Calculation text;
     calculation_open(&text, out, size, terms);
     Subject subject = {.beam = beam,
+                       .stage = stage,
                        .before = before,
                        .index = index,
                        .at = lattice_at(lattice, lattice_column(lattice, index), lattice_row(lattice, index)),
@@ -414,24 +413,5 @@ void beam_explain(const Simulation *sim, int stage, int set, size_t index, const
         subject.whole += !link->broken;
         subject.cut += link->broken && link->broken_at == 0;
     }
-    switch (stage) {
-    case STAGE_HALF_KICK:
-    case STAGE_SECOND_KICK:
-        explain_kick(&subject, stage == STAGE_SECOND_KICK);
-        break;
-    case STAGE_DRIFT:
-        explain_drift(&subject);
-        break;
-    case STAGE_CONSTRAINTS:
-        (lattice->line ? explain_mirror : explain_constraints)(&subject);
-        break;
-    case STAGE_BONDS:
-        explain_bonds(&subject);
-        break;
-    case STAGE_BODY_FORCE:
-        explain_body_force(&subject);
-        break;
-    default:
-        explain_damage(&subject);
-    }
+    of_stage[stage](&subject);
 }
