@@ -21,16 +21,20 @@
 
 /* s at some times, on its way along a run. */
 typedef struct Trace {
+    int column;
     const double *times;
     double *values;
     size_t count, done;
     double time, value; /* the last row */
 } Trace;
 
-/* The next row: fills in what lies between the last one and it, linearly. `margin`: the last time may be
- * rounded up. */
-static void trace(Trace *to, double time, double margin, double value)
+/* The next row: fills in what lies between the last one and it, linearly. */
+static bool trace_row(void *owner, Run *run, long step, const double *row, Status *status)
 {
+    Trace *to = owner;
+    const double time = (double)step * run->sim->dt, margin = 1e-9 * run->sim->dt; /* it may be rounded up */
+    const double value = row[to->column];
+    (void)status;
     for (; to->done < to->count && to->times[to->done] <= time + margin; to->done++) {
         const double passed = to->times[to->done] - to->time;
         const double share = time > to->time ? passed / (time - to->time) : 1;
@@ -38,42 +42,11 @@ static void trace(Trace *to, double time, double margin, double value)
     }
     to->time = time;
     to->value = value;
-}
-
-typedef struct Follow {
-    Trace to;
-    int column;
-} Follow;
-
-static bool follow_row(void *owner, Run *run, long step, const double *row, Status *status)
-{
-    Follow *follow = owner;
-    (void)status;
-    trace(&follow->to, (double)step * run->sim->dt, 1e-9 * run->sim->dt, row[follow->column]);
     return true;
 }
 
-/* A run to the last of the times as any run goes: changes in mid-run come into force, rest ends it; what
- * follows is as it was then. False: it failed on the way, or was given up. */
-static bool follow_to_end(Search *search, Run *run, Trace *to)
-{
-    Follow follow = {.to = *to, .column = simulation_find_series(run->sim, search->task->column)};
-    const Sink sink = {.every = 1, .row = follow_row, .owner = &follow};
-    if (follow.column < 0)
-        return status_refuse(&search->why, "%s: the method's series has no such column",
-                             search->task->column);
-    /* the data may end long before the run would, or after */
-    run->last = to->count > 0 ? problem_last_step(run->sim->dt, to->times[to->count - 1]) + 1 : 0;
-    run->cancel = search->task->cancel;
-    if (!run_start(run, &sink, &search->why) || !run_to_end(run, &sink, &search->why)) {
-        search->interrupted = !run->failed;
-        return false;
-    }
-    for (; follow.to.done < to->count; follow.to.done++)
-        to->values[follow.to.done] = follow.to.value;
-    return true;
-}
-
+/* To the last of the times as any run goes: changes in mid-run come into force, rest ends it; what follows is
+ * as it was then. */
 bool fit_run(Search *search, const Settings *settings, const double *times, double *values, size_t count)
 {
     ASSERT_INT(count, >=, 1);
@@ -85,10 +58,22 @@ bool fit_run(Search *search, const Settings *settings, const double *times, doub
     snprintf(settings_edit_output(&asked)->columns, sizeof settings_output(&asked)->columns, "%s",
              search->task->column);
     Run run = {.sim = NULL};
-    const bool sound =
-        run_open(&run, settings, problem_simulate(&asked, search->task->threads, &search->why),
-                 &search->why) &&
-        follow_to_end(search, &run, &(Trace){.times = times, .values = values, .count = count});
+    Trace to = {.times = times, .values = values, .count = count};
+    const Sink sink = {.every = 1, .row = trace_row, .owner = &to};
+    bool sound =
+        run_open(&run, settings, problem_simulate(&asked, search->task->threads, &search->why), &search->why);
+    if (sound && (to.column = simulation_find_series(run.sim, search->task->column)) < 0)
+        sound =
+            status_refuse(&search->why, "%s: the method's series has no such column", search->task->column);
+    if (sound) {
+        /* the data may end long before the run would, or after */
+        run.last = problem_last_step(run.sim->dt, times[count - 1]) + 1;
+        run.cancel = search->task->cancel;
+        sound = run_start(&run, &sink, &search->why) && run_to_end(&run, &sink, &search->why);
+        search->interrupted = !sound && !run.failed;
+    }
+    for (; sound && to.done < count; to.done++)
+        values[to.done] = to.value;
     run_close(&run);
     return sound;
 }

@@ -289,16 +289,6 @@ static void part_minima(Search *search)
     result->n_others = kept;
 }
 
-/* Whether a search has ended near a beginning, where another one would end too. */
-static bool is_searched(const Search *search, const Beginning *from)
-{
-    const double value = from->factor * search->starts[from->key];
-    for (int i = 0; i < search->result->n_others; i++)
-        if (fabs(search->result->others[i].values[from->key] - value) < NEAR * fabs(value))
-            return true;
-    return false;
-}
-
 /* From one beginning after the other, until what is left looks like noise, and from each alias of what the
  * data oscillate with; one more run at the best p. */
 static bool search_best(Search *search, Space *space, Status *status)
@@ -312,7 +302,11 @@ static bool search_best(Search *search, Space *space, Status *status)
         return status_take(status, &search->why);
     for (int i = 0; i < result->beginnings && isfinite(list[i].chi2) && !search->interrupted; i++) {
         const bool settled = result->searches > 0 && (i >= SEARCHES_MAX || result->left != FIT_NO_NOISE);
-        if ((!settled && i < SEARCHES_MAX) || (list[i].alias && !is_searched(search, &list[i])))
+        const double value = list[i].factor * search->starts[list[i].key];
+        bool searched = false; /* a search has ended near, where another one would end too */
+        for (int k = 0; k < result->n_others; k++)
+            searched |= fabs(result->others[k].values[list[i].key] - value) < NEAR * fabs(value);
+        if ((!settled && i < SEARCHES_MAX) || (list[i].alias && !searched))
             search_from(search, &list[i], space, result->searches > 0 ? NULL : &why);
     }
     if (search->interrupted || result->searches == 0) {

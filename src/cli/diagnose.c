@@ -192,36 +192,30 @@ static bool write_table(const Files *all, Status *status)
     return output_end(&file, true, status);
 }
 
-/* The scenario with its settings, as a shell reads them. */
-static void write_scenario(const Options *options, char *out, size_t size)
-{
-    out[0] = '\0';
-    text_append_shell(out, size, options->words[0]);
-    for (int i = 0; i < options->n_overrides; i++) {
-        char word[VALUE_MAX + KEY_MAX] = "";
-        text_append(word, sizeof word, "%s=%s", options->overrides[i].key, options->overrides[i].value);
-        text_append(out, size, " --set ");
-        text_append_shell(out, size, word);
-    }
-}
-
 /* One that cannot be read is an error; of many it is one at the end. */
 static bool tell(const Files *all, Status *status)
 {
-    char scenario[1000], file[1000] = "";
+    char scenario[1000] = "", file[1000] = ""; /* as a shell reads them */
+    const Options *options = all->options;
     int unread = 0;
-    write_scenario(all->options, scenario, sizeof scenario);
+    text_append_shell(scenario, sizeof scenario, options->words[0]);
+    for (int i = 0; i < options->n_overrides; i++) {
+        char word[VALUE_MAX + KEY_MAX] = "";
+        text_append(word, sizeof word, "%s=%s", options->overrides[i].key, options->overrides[i].value);
+        text_append(scenario, sizeof scenario, " --set ");
+        text_append_shell(scenario, sizeof scenario, word);
+    }
     text_append_shell(file, sizeof file, all->files[0].path);
-    text_append(file, sizeof file, all->options->map ? " --map " : "");
-    if (all->options->map)
-        text_append_shell(file, sizeof file, all->options->map);
+    text_append(file, sizeof file, options->map ? " --map " : "");
+    if (options->map)
+        text_append_shell(file, sizeof file, options->map);
     for (int i = 0; i < all->count; i++)
         unread += all->files[i].failure.code != STATUS_DONE;
     if (all->count == 1 && unread > 0) {
         *status = all->files[0].failure;
         return false;
     }
-    if (all->options->json)
+    if (options->json)
         tell_json(all);
     else if (all->count == 1)
         diagnosis_tell(&all->files[0].found, &all->files[0].table, scenario, file, stdout);
@@ -240,10 +234,10 @@ static bool tell(const Files *all, Status *status)
                           *cells[CELL_STAGE] && *cells[CELL_MISTAKE] ? ", " : "", cells[CELL_STAGE]);
         }
     }
-    if (all->options->output && !write_table(all, status))
+    if (options->output && !write_table(all, status))
         return false;
-    if (all->options->output && !all->options->json)
-        visible_print(stdout, "wrote %s\n", all->options->output);
+    if (options->output && !options->json)
+        visible_print(stdout, "wrote %s\n", options->output);
     return unread == 0 || status_refuse(status, "%d of %d files cannot be judged", unread, all->count);
 }
 

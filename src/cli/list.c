@@ -115,17 +115,13 @@ static void print_parameter(const Settings *settings, const Parameter *parameter
 
 static bool print_derived(Settings *settings, MethodKind method, Status *status)
 {
-    char derived[DERIVED_TEXT_MAX];
+    char derived[DERIVED_TEXT_MAX], *place = NULL;
     settings->method = method;
     if (!cli_derived_text(settings, derived, sizeof derived, status))
         return false;
     printf("\nFrom these (%s)\n", settings_method_words[method]);
-    const char *text = derived;
-    while (*text) {
-        size_t n = strcspn(text, "\n");
-        printf("  %.*s\n", (int)n, text);
-        text += n + (text[n] == '\n');
-    }
+    for (char *line = strtok_r(derived, "\n", &place); line; line = strtok_r(NULL, "\n", &place))
+        printf("  %s\n", line);
     return true;
 }
 

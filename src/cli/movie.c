@@ -42,17 +42,6 @@ static Source source_of(const char *word, Status *status)
     return strncmp(line, "scenario ", 9) == 0 ? SOURCE_SESSION : SOURCE_SCENARIO;
 }
 
-static bool set_up(Camera *camera, const Options *options, Status *status)
-{
-    camera->fps = options->fps > 0 ? options->fps : camera->format->fps;
-    camera->speed = options->speed;
-    camera->idle = options->idle;
-    camera->from = options->from;
-    camera->to = options->to;
-    return camera->from <= camera->to ||
-           status_refuse(status, "--from: %g comes after --to: %g", camera->from, camera->to);
-}
-
 /* The screen of a session is as large as its largest. */
 static bool read_session(const char *file, int size[2], Status *status)
 {
@@ -67,14 +56,6 @@ static bool read_session(const char *file, int size[2], Status *status)
         }
     session_free(session);
     return true;
-}
-
-/* Of a body that cracks the map is the film: it takes the room of the plain sheet, where nothing that comes
- * up in the run makes it smaller. */
-static const char *usual_sheet(const Settings *settings, Source source)
-{
-    const bool cracks = settings->problem->concerns & (CONCERN_NOTCH | CONCERN_PLATE);
-    return source == SOURCE_SCENARIO && cracks ? parameter_sheet_words[SHEET_PLAIN] : NULL;
 }
 
 static int film(const Options *options, LaboratoryOptions *laboratory, Camera *camera, Status *status)
@@ -105,14 +86,16 @@ static int film(const Options *options, LaboratoryOptions *laboratory, Camera *c
 int cli_movie(Options *options, Status *status)
 {
     Settings settings;
-    Camera camera = {0};
+    Camera camera = {
+        .speed = options->speed, .idle = options->idle, .from = options->from, .to = options->to};
     if (!options->output)
         return progress_result(
             status_refuse(status, "movie: --output FILE is missing (FILE.cast, .svg or .gif)"), status);
     const char *word = options->words[0];
     const Source source = source_of(word, status);
     if (source == SOURCE_WRONG || !(camera.format = film_format(options->output, status)) ||
-        !set_up(&camera, options, status) ||
+        (camera.from > camera.to &&
+         !status_refuse(status, "--from: %g comes after --to: %g", camera.from, camera.to)) ||
         !output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status))
         return (int)status->code;
     *status = (Status){0};
@@ -126,6 +109,11 @@ int cli_movie(Options *options, Status *status)
     const char *scenario = source == SOURCE_SCENARIO ? word : scenario_unnamed;
     if (!options_load(options, scenario, &settings, status))
         return (int)status->code;
+    camera.fps = options->fps > 0 ? options->fps : camera.format->fps;
+    /* Of a body that cracks the map is the film: it takes the room of the plain sheet, where nothing that
+     * comes up in the run makes it smaller. */
+    const bool plain =
+        source == SOURCE_SCENARIO && settings.problem->concerns & (CONCERN_NOTCH | CONCERN_PLATE);
     LaboratoryOptions laboratory = {
         .settings = &settings,
         .scenario = scenario,
@@ -133,7 +121,9 @@ int cli_movie(Options *options, Status *status)
         .script = source == SOURCE_SCRIPT ? word : options->script,
         .paused = options->paused,
         .glyphs = options->glyphs ? options->glyphs : "braille",
-        .sheet = options->screen_sheet ? options->screen_sheet : usual_sheet(&settings, source),
+        .sheet = options->screen_sheet ? options->screen_sheet
+                 : plain               ? parameter_sheet_words[SHEET_PLAIN]
+                                       : NULL,
         .theme = options->theme,
         .threads = progress_threads(options->threads),
         .width = options->size[0],

@@ -108,23 +108,6 @@ static bool homework_begin(const Options *options, const char *lesson, HomeworkF
     return !*homework->student || options->record || choose_file(lesson, homework, status);
 }
 
-/* The settings that the laboratory opens with: of the coarse form, where the scenario has one for the screen
- * and no option makes both the same by choosing the size itself. */
-static bool load_for_screen(const Options *options, const char **scenario, Settings *settings, Status *status)
-{
-    Settings coarse;
-    Status ignored = {0};
-    const char *form = scenario_on_screen(*scenario);
-    if (!options_load(options, *scenario, settings, status))
-        return false;
-    if (form != *scenario && options_load(options, form, &coarse, &ignored) &&
-        !settings_same(settings, &coarse)) {
-        *settings = coarse;
-        *scenario = form;
-    }
-    return true;
-}
-
 /* What cannot go together: standard input has one use, and a session brings its own run. */
 static bool go_together(const Options *options, const char *word, Status *status)
 {
@@ -144,10 +127,18 @@ static bool go_together(const Options *options, const char *word, Status *status
 static int enter(const Options *options, const char *named, const char *lesson, const HomeworkFile *homework,
                  Status *status)
 {
-    Settings settings;
-    const char *scenario = named;
-    if (!load_for_screen(options, &scenario, &settings, status))
+    Settings settings, coarse;
+    Status ignored = {0};
+    const char *scenario = named, *form = scenario_on_screen(named);
+    if (!options_load(options, named, &settings, status))
         return (int)status->code;
+    /* of the coarse form, where the scenario has one for the screen and no option makes both the same by
+     * choosing the size itself */
+    if (form != named && options_load(options, form, &coarse, &ignored) &&
+        !settings_same(&settings, &coarse)) {
+        settings = coarse;
+        scenario = form;
+    }
     const int result = laboratory_main(
         &(LaboratoryOptions){
             .settings = &settings,
@@ -256,26 +247,23 @@ static int write_handout(const Options *options, const char *student, Status *st
     return progress_result(sound, status);
 }
 
-static int print_lesson(const char *name, Status *status)
-{
-    const BuiltinLesson *builtin = name ? lesson_builtin(name) : NULL;
-    if (!name)
-        status_refuse(status, "--print: which lesson? (matvib lesson NAME --print)");
-    else if (!builtin)
-        status_refuse(status, "--print: %.60s: is not a lesson of the program (matvib lesson --list)", name);
-    else
-        fputs(builtin->text, stdout);
-    return progress_result(builtin != NULL, status);
-}
-
 int cli_lesson(Options *options, Status *status)
 {
     HomeworkFile homework;
     const char *word = options->n_words > 0 ? options->words[0] : NULL;
     if (options->list)
         return cli_list_lessons();
-    if (options->print)
-        return print_lesson(word, status);
+    if (options->print) {
+        const BuiltinLesson *builtin = word ? lesson_builtin(word) : NULL;
+        if (!word)
+            status_refuse(status, "--print: which lesson? (matvib lesson NAME --print)");
+        else if (!builtin)
+            status_refuse(status, "--print: %.60s: is not a lesson of the program (matvib lesson --list)",
+                          word);
+        else
+            fputs(builtin->text, stdout);
+        return progress_result(builtin != NULL, status);
+    }
     if (!homework_begin(options, word, &homework, status))
         return (int)status->code;
     if (options->handout)

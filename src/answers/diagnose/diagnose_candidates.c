@@ -315,7 +315,7 @@ void diagnose_name_scheme(const Settings *settings, char *out, size_t size)
     if (settings->method == METHOD_PD && diagnose_is_of_plane(settings) &&
         settings_lattice(settings)->surface_correction == SURFACE_NONE &&
         settings_lattice(settings)->volume_correction == VOLUME_NONE)
-        text_append(out, size, "%s%s", *out ? ", " : "", "no corrections");
+        text_list_add(out, size, "no corrections");
 }
 
 /* The stage of a wrong code that differs, with its line as it is wrongly written. */

@@ -36,7 +36,7 @@ void diagnose_conclude(Diagnosis *found, const DiagnoseTable *table)
                {found->single, "in single precision"}};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         if (all[i].is)
-            text_append(found->but, sizeof found->but, "%s%s", *found->but ? ", " : "", all[i].words);
+            text_list_add(found->but, sizeof found->but, all[i].words);
     const bool explained = found->verdict == DIAGNOSE_EXPLAINED;
     Explanation *one = found->explanations;
     if (explained) /* of the code that makes these numbers */
