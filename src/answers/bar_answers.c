@@ -126,17 +126,6 @@ static bool is_loaded(const BarTheory *theory)
     return theory->body_force != 0 || theory->traction != 0;
 }
 
-/* Whether the loads make the bar vibrate, and whether its centre of mass shows it. */
-static bool load_vibrates(const BarTheory *theory, bool *centre)
-{
-    bool free_free = !theory->left_fixed && !theory->right_fixed;
-    bool fixed_fixed = theory->left_fixed && theory->right_fixed;
-    *centre = !free_free;
-    if (free_free)
-        return theory->traction != 0; /* a body force moves the bar as a whole */
-    return theory->body_force != 0 || (theory->traction != 0 && !fixed_fixed);
-}
-
 int bar_watched_mode(const BarTheory *theory)
 {
     for (int i = 0; i < theory->n_modes; i++)
@@ -159,16 +148,15 @@ BarWatch bar_watch(const BarTheory *theory)
 {
     BarWatch watch = {.column = "v_cm", .times = 1, .kept = NAN, .overlap = 1};
     int mode = bar_watched_mode(theory);
-    bool centre = true, by_load = mode == 0;
+    const bool by_load = mode == 0, held = theory->left_fixed || theory->right_fixed;
+    const bool fixed_fixed = theory->left_fixed && theory->right_fixed;
     if (theory->pulse.velocity != 0)
         return watch; /* it is of many modes, and of no one frequency */
-    if (by_load) {
-        if (!load_vibrates(theory, &centre))
-            return watch;
-        mode = 1;
-    } else {
-        centre = moves_centre(theory, mode);
-    }
+    /* a body force moves a free bar as a whole, and between fixed ends there is no traction */
+    if (by_load && !(held && theory->body_force != 0) && !(theory->traction != 0 && !fixed_fixed))
+        return watch;
+    const bool centre = by_load ? held : moves_centre(theory, mode);
+    mode = by_load ? 1 : mode;
     watch.moving = true;
     watch.mode = mode;
     if (!centre) {

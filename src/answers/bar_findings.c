@@ -155,18 +155,12 @@ int bar_findings(const References *refs, const Simulation *sim, Finding out[FIND
         n = joint_findings(&sample, out);
     out[n++] = (Finding){"v_error", "L2 error of v", relative_distance(&sample), 0, NULL, NULL};
     if (theory->joint == 0) {
-        out[n++] = (Finding){"v_peak",
-                             "peak/start",
-                             largest(sample.v, sample.count) / fabs(theory->pulse.velocity),
-                             largest(sample.exact, sample.count) / fabs(theory->pulse.velocity),
-                             NULL,
-                             NULL};
-        out[n++] = (Finding){"lag",
-                             "cells behind",
-                             delay_of(&sample) * bar_wave_speed(theory) / bar_answers(refs)->mesh.cell_size,
-                             0,
-                             NULL,
-                             NULL};
+        const double start = fabs(theory->pulse.velocity), peak = largest(sample.v, sample.count) / start,
+                     exact = largest(sample.exact, sample.count) / start;
+        const double behind = delay_of(&sample) * bar_wave_speed(theory);
+        out[n++] = (Finding){"v_peak", "peak/start", peak, exact, NULL, NULL};
+        out[n++] =
+            (Finding){"lag", "cells behind", behind / bar_answers(refs)->mesh.cell_size, 0, NULL, NULL};
     }
     free(sample.x);
     return n;

@@ -139,26 +139,12 @@ void references_readout(const References *refs, const double *rows, size_t n_row
                         Readout *readout)
 {
     ASSERT_INT(n_columns, ==, refs->n_columns); /* a record of this run */
-    *readout = (Readout){.measured = NAN,
-                         .uncertainty = NAN,
-                         .r2 = NAN,
-                         .predicted = NAN,
-                         .exact = NAN,
-                         .nominal_period = NAN,
-                         .error_frequency = NAN,
-                         .error_period = NAN,
-                         .predicted_error_frequency = NAN,
-                         .late = NAN,
-                         .real_size = NAN,
-                         .overlap = 1,
-                         .kept_measured = NAN,
-                         .kept_predicted = NAN,
-                         .decay_measured = NAN,
-                         .decay_exact = NAN,
-                         .by_zeros = NAN,
-                         .column = "",
-                         .unmeasured = "",
-                         .times = 1};
+    *readout = (Readout){.overlap = 1, .column = "", .unmeasured = "", .times = 1};
+    readout->measured = readout->uncertainty = readout->r2 = readout->predicted = readout->exact = NAN;
+    readout->nominal_period = readout->error_frequency = readout->error_period = NAN;
+    readout->predicted_error_frequency = readout->late = readout->real_size = readout->by_zeros = NAN;
+    readout->kept_measured = readout->kept_predicted = NAN;
+    readout->decay_measured = readout->decay_exact = NAN;
     if (n_rows > 0)
         readout->time = rows[(n_rows - 1) * (size_t)n_columns + 1];
     if (refs->solver && refs->solver->readout)

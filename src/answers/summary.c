@@ -124,11 +124,12 @@ void summary_crack(RunSummary *summary, const Simulation *sim, const Settings *s
 void summary_of(const Experiment *experiment, RunSummary *summary)
 {
     const Record *record = experiment_record(experiment);
+    const Simulation *sim = experiment_simulation(experiment);
     int n;
     const Column *columns = experiment_columns(experiment, &n);
     *summary = (RunSummary){0};
     summary->mistake = settings_mistake(experiment_settings(experiment));
-    summary->dt = experiment_simulation(experiment)->dt;
+    summary->dt = sim->dt;
     summary->steps = experiment_newest(experiment);
     summary->time = (double)summary->steps * summary->dt;
     summary->rows = summary->steps + 1;
@@ -137,18 +138,14 @@ void summary_of(const Experiment *experiment, RunSummary *summary)
     summary->readout.late = readout_late(&summary->readout, summary->time);
     summary->failed = experiment_failed(experiment, &summary->failure);
     double invariant[2] = {NAN, NAN};
-    if (experiment_simulation(experiment)->step != summary->steps ||
-        !experiment_invariant(experiment, &invariant[1], &invariant[0]))
+    if (sim->step != summary->steps || !experiment_invariant(experiment, &invariant[1], &invariant[0]))
         invariant[0] = NAN;
-    summary_rows(summary, experiment_simulation(experiment), columns, n, record->rows, record->count,
-                 invariant);
+    summary_rows(summary, sim, columns, n, record->rows, record->count, invariant);
     summary->n_derived = experiment_derived(experiment, summary->derived);
-    /* the findings and the crack are those of the step on screen */
-    if (experiment_simulation(experiment)->step == summary->steps)
-        summary->n_findings = references_findings(experiment_references(experiment),
-                                                  experiment_simulation(experiment), summary->findings);
-    if (experiment_simulation(experiment)->step == summary->steps)
-        summary_crack(summary, experiment_simulation(experiment), experiment_settings(experiment));
+    if (sim->step != summary->steps)
+        return; /* the findings and the crack are those of the step on screen */
+    summary->n_findings = references_findings(experiment_references(experiment), sim, summary->findings);
+    summary_crack(summary, sim, experiment_settings(experiment));
 }
 
 void summary_now(const Experiment *experiment, SummaryPart part, RunSummary *summary)

@@ -49,46 +49,37 @@ static void judge(void *owner, int index, int threads, Cancel cancel)
 
 enum { CELL_MAX = 400 };
 
-/* What is reported of a file: the first of them are the table's columns. */
-typedef enum Cell {
-    CELL_NAME,
-    CELL_VERDICT,
-    CELL_SCHEME,
-    CELL_DIGITS,
-    CELL_MISTAKE,
-    CELL_STAGE,
-    TABLE_CELLS,
-    CELL_READ_AS = TABLE_CELLS,
-    CELL_ROWS,
-    CELL_AGREED,
-    CELL_STEP,
-    CELL_AFTER,
-    CELL_THING,
-    CELL_COLUMN,
-    CELL_YOURS,
-    CELL_RIGHT,
-    CELL_RATIO,
-    CELL_RATIO_IS,
-    CELL_TIME_UP,
-    CELL_ERROR,
-    CELLS
-} Cell;
+/* What is reported of a file, and whether it is a number (or true, false); the first are the table's columns.
+ */
+#define CELLS_OF(CELL)                                                                                       \
+    CELL(NAME, "name", false)                                                                                \
+    CELL(VERDICT, "verdict", false)                                                                          \
+    CELL(SCHEME, "scheme", false)                                                                            \
+    CELL(DIGITS, "digits", true)                                                                             \
+    CELL(MISTAKE, "mistake", false)                                                                          \
+    CELL(STAGE, "stage", false)                                                                              \
+    CELL(READ_AS, "read_as", false)                                                                          \
+    CELL(ROWS, "rows", true)                                                                                 \
+    CELL(AGREED, "rows_agreed", true)                                                                        \
+    CELL(STEP, "step", true)                                                                                 \
+    CELL(AFTER, "after_stage", false)                                                                        \
+    CELL(THING, "thing", false)                                                                              \
+    CELL(COLUMN, "column", false)                                                                            \
+    CELL(YOURS, "yours", true)                                                                               \
+    CELL(RIGHT, "right", true)                                                                               \
+    CELL(RATIO, "ratio", true)                                                                               \
+    CELL(RATIO_IS, "ratio_is", false)                                                                        \
+    CELL(TIME_UP, "time_up", true)                                                                           \
+    CELL(ERROR, "error", false)
+#define ID(id, name, is_number)  CELL_##id,
+#define ROW(id, name, is_number) {name, is_number},
+
+enum { CELLS_OF(ID) CELLS, TABLE_CELLS = CELL_READ_AS };
 
 static const struct {
     const char *name;
-    bool is_number; /* or true, false */
-} columns[CELLS] = {
-    [CELL_NAME] = {"name", false},         [CELL_VERDICT] = {"verdict", false},
-    [CELL_SCHEME] = {"scheme", false},     [CELL_DIGITS] = {"digits", true},
-    [CELL_MISTAKE] = {"mistake", false},   [CELL_STAGE] = {"stage", false},
-    [CELL_READ_AS] = {"read_as", false},   [CELL_ROWS] = {"rows", true},
-    [CELL_AGREED] = {"rows_agreed", true}, [CELL_STEP] = {"step", true},
-    [CELL_AFTER] = {"after_stage", false}, [CELL_THING] = {"thing", false},
-    [CELL_COLUMN] = {"column", false},     [CELL_YOURS] = {"yours", true},
-    [CELL_RIGHT] = {"right", true},        [CELL_RATIO] = {"ratio", true},
-    [CELL_RATIO_IS] = {"ratio_is", false}, [CELL_TIME_UP] = {"time_up", true},
-    [CELL_ERROR] = {"error", false},
-};
+    bool is_number;
+} columns[CELLS] = {CELLS_OF(ROW)};
 
 static void put_number(char cell[CELL_MAX], double value)
 {

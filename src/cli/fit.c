@@ -148,18 +148,16 @@ static bool solve(const Options *options, Settings *settings, Data *data, FitTas
                   Progress *progress, Status *status)
 {
     if (!overlay_load(&data->table, options->data, progress_show, progress, status) ||
-        !choose_column(data, options, settings, status))
-        return false;
-    if (!overlay_choose(&data->table, NULL, NULL, data->column, "", status))
+        !choose_column(data, options, settings, status) ||
+        !overlay_choose(&data->table, NULL, NULL, data->column, "", status))
         return false;
     if (data->table.along || data->table.y < 0)
         data->table.y = overlay_column_for(&data->table, data->column, false);
     if (data->table.along || data->table.y < 0)
         return status_refuse(status, "%s: no column of times with one of %s beside it", data->table.file,
                              data->column);
-    if (!fit_data_take(&data->taken, &data->table, data->table.y, status))
-        return false;
-    if (!fit_data_end(&data->taken, settings, status))
+    if (!fit_data_take(&data->taken, &data->table, data->table.y, status) ||
+        !fit_data_end(&data->taken, settings, status))
         return false;
     task->column = data->column;
     task->times = data->taken.times;

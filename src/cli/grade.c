@@ -156,12 +156,6 @@ static const char *const columns[] = {"name",  "exercise", "value",   "right_ans
                                       "tries", "time",     "session", "remark"};
 enum { NAME, EXERCISE, VALUE, RIGHT_ANSWER, MARK, TRIES, TIME, SESSION, REMARK, CELLS };
 
-/* "3 Half a period": the number of its page and what is above it. */
-static void exercise_name(const Lesson *lesson, int page, char *out, size_t size)
-{
-    snprintf(out, size, "%d %s", page + 1, lesson->pages[page].title);
-}
-
 /* What was not tried is not right; what the teacher reads has no mark as yet. */
 static const char *mark_text(const Lesson *lesson, const Grade *grade)
 {
@@ -179,7 +173,7 @@ static void write_rows(const Marking *marking, const char *file, const Grades *g
     for (int i = 0; i < grades->count; i++) {
         const Grade *grade = &grades->grades[i];
         char name[ANSWER_MAX], tries[NUMBER_TEXT_MAX], seconds[NUMBER_TEXT_MAX] = "";
-        exercise_name(&marking->lesson, grade->page, name, sizeof name);
+        snprintf(name, sizeof name, "%d %s", grade->page + 1, marking->lesson.pages[grade->page].title);
         snprintf(tries, sizeof tries, "%d", grade->mark.tries);
         if (grade->mark.tries > 0)
             snprintf(seconds, sizeof seconds, "%.0f", grade->seconds);
@@ -232,11 +226,10 @@ static void write_sheet(const Marking *marking, const char *file, const Grades *
         const Grade *grade = &grades->grades[i];
         const ExerciseMark *mark = &grade->mark;
         const char *text = mark_text(&marking->lesson, grade);
-        char name[ANSWER_MAX];
         marked += *text != '\0';
         right += *text == '1';
-        exercise_name(&marking->lesson, grade->page, name, sizeof name);
-        leaflet_line(sheet, LEAFLET_HEADING, "%s   %s", name,
+        leaflet_line(sheet, LEAFLET_HEADING, "%d %s   %s", grade->page + 1,
+                     marking->lesson.pages[grade->page].title,
                      *text == '1'   ? "right"
                      : *text == '0' ? "not right"
                                     : "");

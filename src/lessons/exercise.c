@@ -112,19 +112,10 @@ void exercise_write_number(double number, char out[NUMBER_TEXT_MAX])
 typedef struct Telling {
     const Expression *goal;
     const ExpressionClaim *claim;
-    int middle; /* behind its left side; 0: it is shown as it is written */
+    int middle;                         /* behind its left side; 0: it is shown as it is written */
+    const ExpressionStep *left, *right; /* the first of each side */
     const ExpressionRun *now, *was;
 } Telling;
-
-static const ExpressionStep *left_of(const Telling *telling)
-{
-    return &telling->goal->steps[telling->claim->first];
-}
-
-static const ExpressionStep *right_of(const Telling *telling)
-{
-    return &telling->goal->steps[telling->middle];
-}
 
 static bool is_size(const Telling *telling)
 {
@@ -136,7 +127,7 @@ static bool is_size(const Telling *telling)
 /* "error", "cell size"; of a sum its text. */
 static void tell_subject(const Telling *telling, char *out, size_t size)
 {
-    const ExpressionStep *step = left_of(telling);
+    const ExpressionStep *step = telling->left;
     const char *text = telling->goal->text + telling->claim->text;
     const bool single = telling->middle - telling->claim->first == 1 + is_size(telling);
     size_t length = (size_t)telling->claim->length;
@@ -162,7 +153,7 @@ static void tell_subject(const Telling *telling, char *out, size_t size)
 static void tell_value(const Telling *telling, double value, double other, char *out, size_t size)
 {
     static const char *const flags[] = {"no", "yes", NULL};
-    const ExpressionStep *step = left_of(telling);
+    const ExpressionStep *step = telling->left;
     const Parameter *key =
         step->kind == STEP_KEY && telling->middle == telling->claim->first + 1 ? step->key : NULL;
     const char *const *choices = !key ? NULL : key->type == PARAMETER_FLAG ? flags : key->choices;
@@ -173,8 +164,7 @@ static void tell_value(const Telling *telling, double value, double other, char 
     if (choices)
         text_append(out, size, "%s", choices[(int)value]);
     else
-        text_append(out, size, "%s%s", text_rounded(value, digits).text,
-                    right_of(telling)->percent ? " %" : "");
+        text_append(out, size, "%s%s", text_rounded(value, digits).text, telling->right->percent ? " %" : "");
 }
 
 static double side(const Telling *telling, bool right)
@@ -190,7 +180,7 @@ static void tell_limit(const Telling *telling, char *out, size_t size)
     static const char *const sizes[] = {"within ", "within ", "beyond ", "beyond ", "", "not "};
     const int relation = (int)telling->goal->steps[telling->claim->end - 1].verb - (int)VERB_LESS;
     text_append(out, size, "%s", (is_size(telling) ? sizes : words)[relation]);
-    const bool of_opening = telling->claim->end - telling->middle == 2 && right_of(telling)->was;
+    const bool of_opening = telling->claim->end - telling->middle == 2 && telling->right->was;
     bool known = true; /* the runs are there that the right side speaks of */
     for (int i = telling->middle; i < telling->claim->end - 1; i++) {
         const ExpressionStep *step = &telling->goal->steps[i];
@@ -231,7 +221,7 @@ static void tell_failing(const Telling *telling, char *out, size_t size)
          * one. */
         enum { DIGITS = 5 };
         const Parameter *courant = parameter_find("time.courant");
-        const ExpressionStep *step = left_of(telling);
+        const ExpressionStep *step = telling->left;
         if (step->kind != STEP_WORD || strcmp(step->word->word, "dt") != 0 ||
             telling->goal->steps[telling->claim->end - 1].verb != VERB_NOT_LESS ||
             !parameter_applies_to(telling->now->settings, courant))
@@ -248,7 +238,9 @@ static void tell_failing(const Telling *telling, char *out, size_t size)
 static Telling telling_of(const Expression *goal, int claim, const ExpressionRun *now,
                           const ExpressionRun *was)
 {
-    return (Telling){goal, &goal->claims[claim], expression_middle(goal, &goal->claims[claim]), now, was};
+    const ExpressionClaim *one = &goal->claims[claim];
+    const int middle = expression_middle(goal, one);
+    return (Telling){goal, one, middle, &goal->steps[one->first], &goal->steps[middle], now, was};
 }
 
 void exercise_tell_goal(const Exercise *exercise, const ExpressionRun *was, char *out, size_t size)

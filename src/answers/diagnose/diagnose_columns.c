@@ -163,25 +163,23 @@ static bool find_copies(Search *search)
     return sound;
 }
 
-/* What is 0 at the start, as the velocities of a run from rest, is as large as in the right run. */
-static void size_from_rest(Search *search)
-{
-    DiagnoseTable *table = search->table;
-    double size[DIAGNOSE_COLUMNS_MAX] = {0};
-    for (int c = 0; c < table->as.n_columns; c++)
-        size[table->as.columns[c].group] = fmax(size[table->as.columns[c].group], extent_of(search, c).ours);
-    for (int c = 0; c < table->as.n_columns; c++)
-        if (table->as.columns[c].natural == 0 && isfinite(size[table->as.columns[c].group]))
-            table->as.columns[c].natural = size[table->as.columns[c].group];
-}
-
-/* Empty columns and zeros. */
+/* Sizes; empty columns and zeros. */
 static void silence(Search *search)
 {
     DiagnoseTable *table = search->table;
+    double size[DIAGNOSE_COLUMNS_MAX] = {0};
+    Extent extents[DIAGNOSE_COLUMNS_MAX];
+    for (int c = 0; c < table->as.n_columns; c++) {
+        double *most = &size[table->as.columns[c].group];
+        extents[c] = extent_of(search, c);
+        *most = fmax(*most, extents[c].ours);
+    }
     for (int c = 0; c < table->as.n_columns; c++) {
         DiagnoseColumn *column = &table->as.columns[c];
-        const Extent extent = extent_of(search, c);
+        const Extent extent = extents[c];
+        /* what is 0 at the start, as the velocities of a run from rest, is as large as in the right run */
+        if (column->natural == 0 && isfinite(size[column->group]))
+            column->natural = size[column->group];
         const double least = 1e2 * table->noise * column->natural;
         if (extent.given == 0)
             diagnose_note(table, "its column %s is empty", column->name);
@@ -208,7 +206,6 @@ bool diagnose_judge_columns(Search *search)
 {
     DiagnoseTable *table = search->table;
     leave_out_lost(search);
-    size_from_rest(search);
     silence(search);
     bool tells = is_telling(table);
     if (tells && table->moments[table->n_moments - 1].step == 0) {
