@@ -153,8 +153,8 @@ static void lay_out_full(const Screen *screen, int width, int height, Layout *la
             layout->panes[PANE_LOWER] = (Rect){width - side_width, top, side_width, upper};
         } else if (above)
             layout->panes[PANE_UPPER].width = width - left;
-        /* The tables and the energies one below the other, in so many rows; the second table only where all
-         * three have room. */
+        /* Tables and energies one below the other; the second table only where all three have so many rows.
+         */
         const Rect rect = (Rect){width - side_width, top + above, side_width, middle - above};
         enum { LEAST_ROWS = 8 };
         const int sets = screen_simulation(screen)->n_sets > 1 ? 2 : 1;
@@ -189,8 +189,7 @@ enum {
     PLOT_WANTED = 8 /* the text closes up for them */
 };
 
-/* Text above; below it the pane that has the focus or, while the text has it, what the page speaks of. False:
- * the text leaves no room. */
+/* Text above; below it the pane that has the focus or what the page speaks of. False: there is no room. */
 static bool lay_out_page(const Screen *screen, int width, int height, Layout *layout)
 {
     const PaneId focus = screen->panes.focus;
@@ -326,8 +325,7 @@ static void lay_out_scenario(const Screen *screen, int width, int height, Layout
     layout->panes[PANE_PARAMETERS] = (Rect){width - fields - 1, end + question, fields, below};
 }
 
-/* In one column: what is asked, the bar or the map, the plot, the number and the parameters, as rows allow.
- */
+/* In one column: what is asked, the bar or the map, the plot, the number, the parameters, as rows allow. */
 static void lay_out_stacked(const Screen *screen, int width, int height, Layout *layout)
 {
     const PaneId picture = picture_of(screen);
@@ -373,8 +371,8 @@ static bool layout_plain(const Screen *screen, int width, int height, Layout *la
     }
     if (!lesson && width >= BESIDE_WIDTH && height < BESIDE_HEIGHT) {
         layout->kind = LAYOUT_FULL;
-        /* In two columns: the bar and the picture at the left, the number and the parameters beside them,
-         * what is asked above. */
+        /* The bar and the picture at the left, the number and the parameters beside them, what is asked
+         * above. */
         const int question = pane_question_rows(screen, width), box = box_rows(screen, height, false);
         const int top = 1 + question, middle = height - 2 - question - box, left = width - ASKED_WIDTH - 1;
         const int strip = middle < 2 * PICTURE_LEAST ? 0 : strip_rows(screen, height);

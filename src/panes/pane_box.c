@@ -143,10 +143,8 @@ static bool news_of(const Screen *screen, char *out, size_t size, Style *style)
         count--; /* what is still to come, or to come again */
     *style = count > 0 ? STYLE_NORMAL : STYLE_WARNING;
     if (count > 0) {
-        char time[48];
-        const double dt = screen_simulation(screen)->dt;
-        screen_time_text(screen, dt * (double)events[count - 1].step, time, sizeof time);
-        snprintf(out, size, "%s: %s", time, events[count - 1].text);
+        const double time = screen_simulation(screen)->dt * (double)events[count - 1].step;
+        snprintf(out, size, "%s: %s", screen_time_text(screen, time).text, events[count - 1].text);
     } else {
         snprintf(out, size, "%s", experiment_advice(screen->experiment));
     }
@@ -162,8 +160,7 @@ static void draw_caption(const Screen *screen, Area area)
         line_words(screen, true, lines, sizeof lines);
     const bool in_heading =
         title_has_headline(screen, area.canvas->width) && 5 + glyphs_columns(lines) <= area.rect.width;
-    /* The heading of the box says what the run is about, where the title line has no room for that; else what
-     * the lines are. */
+    /* The heading says what the run is about, where the title line has no room; else what the lines are. */
     const Settings *settings = screen_settings(screen);
     const char *title = settings->title[0] ? settings->title : settings->problem->title;
     const char *heading = in_heading ? lines : title;
@@ -197,8 +194,7 @@ static void draw_caption(const Screen *screen, Area area)
         last -= area_paragraph(area, 1, top, width, last - top + 1, news, style);
     }
     char about[ABOUT_MAX];
-    /* What a scenario says of itself, without what it says of lines that are not drawn: their answer may
-     * have left, or be hidden. */
+    /* What a scenario says of itself, but nothing of lines that are not drawn: their answer may be hidden. */
     memcpy(about, settings->about, ABOUT_MAX);
     if (!(drawn >> LINE_DOTTED & 1))
         drop_sentences(about, "otted");
@@ -233,26 +229,6 @@ static void measure(const Comparison *rows, int count, int *label, int values[2]
     }
 }
 
-static void draw_group(Area area, const Comparison *rows, int count, int heading, bool own_row)
-{
-    int label, values[2];
-    measure(rows, count, &label, values);
-    const int ends[2] = {label + 1 + values[0], label + 1 + values[0] + 1 + values[1]};
-    const Style styles[2] = {STYLE_MEASURED, STYLE_SECOND};
-    /* A and B head their columns; where the words of the heading reach so far the first values have them. */
-    for (int run = 0; run < 2; run++) {
-        const char letter[] = {' ', "AB"[run], ' ', '\0'};
-        if (own_row || area.rect.x + ends[0] > heading + 1)
-            area_text_right(area, ends[run] + 2, own_row, letter, styles[run]);
-    }
-    for (int y = 0; y < count; y++) {
-        const int row = 1 + own_row + y;
-        area_text(area, 1, row, rows[y].label, STYLE_NORMAL);
-        for (int run = 0; run < 2; run++)
-            area_text_right(area, ends[run] + 1, row, rows[y].values[run], styles[run]);
-    }
-}
-
 /* "A usf", "B usl"; false: there is no room for it. */
 static bool name_values(Comparison *row, const int values[2])
 {
@@ -281,6 +257,7 @@ static void draw_duel(const Screen *screen, Area area)
             rows[count++] = rows[i];
     const int height = area.rect.height - 1;
     enum { LETTERS = 16 }; /* of the last columns */
+    const Style styles[2] = {STYLE_MEASURED, STYLE_SECOND};
     const Settings *settings = screen_settings(screen);
     /* the scenario's title asks what the duel is to answer */
     const char *heading = settings->title[0] ? settings->title : settings->problem->title;
@@ -302,8 +279,21 @@ static void draw_duel(const Screen *screen, Area area)
     const int used = (count + each - 1) / each, end = area.rect.x + 4 + glyphs_columns(heading);
     for (int i = 0; i < used; i++) {
         const int first = i * each, here = count - first < each ? count - first : each;
-        draw_group(area_part(area, i * (area.rect.width / used), 0, width, area.rect.height), rows + first,
-                   here, end, own_row);
+        const Area group = area_part(area, i * (area.rect.width / used), 0, width, area.rect.height);
+        measure(rows + first, here, &label, values);
+        const int ends[2] = {label + 1 + values[0], label + 1 + values[0] + 1 + values[1]};
+        /* A and B head their columns; where the words of the heading reach so far the first values do. */
+        for (int run = 0; run < 2; run++) {
+            const char letter[] = {' ', "AB"[run], ' ', '\0'};
+            if (own_row || group.rect.x + ends[0] > end + 1)
+                area_text_right(group, ends[run] + 2, own_row, letter, styles[run]);
+        }
+        for (int y = 0; y < here; y++) {
+            const int row = 1 + own_row + y;
+            area_text(group, 1, row, rows[first + y].label, STYLE_NORMAL);
+            for (int run = 0; run < 2; run++)
+                area_text_right(group, ends[run] + 1, row, rows[first + y].values[run], styles[run]);
+        }
     }
 }
 
@@ -380,9 +370,9 @@ static void draw_summary(const Screen *screen, Area area)
     Status status = {STATUS_DONE, ""};
     if (experiment_failed(screen->experiment, &status) && y < rows)
         y += area_paragraph(area, 1, y, area.rect.width - 2, 2, status.text, STYLE_ERROR);
-    char time[48], text[200];
-    screen_time_text(screen, experiment_time(screen->experiment), time, sizeof time);
-    snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment), time);
+    char text[200];
+    snprintf(text, sizeof text, "%ld steps to %s", experiment_step(screen->experiment),
+             screen_time_text(screen, experiment_time(screen->experiment)).text);
     char energy[SUMMARY_MAX] = "";
     if (summary)
         summary_energy_text(summary, energy);

@@ -141,7 +141,7 @@ void pane_lesson_footer(const Screen *screen, char *out, size_t size)
     const LessonUntil *until = &page->until;
     const Command *command = until->kind == UNTIL_COMMAND ? command_by_name(until->word) : NULL;
     const Parameter *parameter = until->kind == UNTIL_VALUE ? parameter_find(until->word) : NULL;
-    char key[COMMAND_KEY_MAX] = "", time[48];
+    char key[COMMAND_KEY_MAX] = "";
     if (command)
         command_first_key(command, key);
     if (page->question && page->n_choices == 0 && shown->answer < 0)
@@ -159,8 +159,7 @@ void pane_lesson_footer(const Screen *screen, char *out, size_t size)
             snprintf(out, size, "] to the end of step %.0f", until->number);
             break;
         case UNTIL_TIME:
-            screen_time_text(screen, until->number, time, sizeof time);
-            snprintf(out, size, "Space runs to %s", time);
+            snprintf(out, size, "Space runs to %s", screen_time_text(screen, until->number).text);
             break;
         case UNTIL_EVENT:
             snprintf(out, size, "Space runs to a%s %s", strchr("aeiou", until->word[0]) ? "n" : "",

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plain sheet: the number that the scenario is about in large digits, what it is called below them, and
- * what is asked above it. */
+/* The plain sheet: the number that the scenario is about in large digits, and what it is called. */
 #include "panes/panes.h"
 #include "answers/run_numbers.h"
 
@@ -64,8 +63,7 @@ bool screen_number(const Screen *screen, char digits[NUMBER_DIGITS_MAX], char wo
     const bool hidden = number->judged && !screen_shows_exact(screen);
     const char *gap = number->unit[0] ? " " : "";
     if (hidden || !isfinite(value)) {
-        /* of what may turn out one way or the other the words that both have: what is too long or short has
-         * an error */
+        /* of what may turn out either way the words that both have: what is too long or short has an error */
         int same = (int)strlen(number->label);
         for (int i = 0; number->opposite && i < same; i++)
             same = number->label[i] == number->opposite[i] ? same : i;

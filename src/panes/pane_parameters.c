@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parameter pane: fields by group, read-only numbers below, unit and range of the chosen field in its
- * last row. */
+/* The parameter pane: fields by group, read-only numbers below, at the end what the chosen one may be. */
 #include "panes/panes.h"
 #include "scenario/settings.h"
 #include "scenario/rows/rows.h"
@@ -66,8 +65,7 @@ int screen_parameter_rows(const Screen *screen, ParameterRow rows[PARAMETER_ROWS
     }
     for (int i = 0; i < n_parameters && count + 2 < PARAMETER_ROWS_MAX; i++) {
         const Parameter *parameter = &parameters[i];
-        /* Mistakes are looked for by a filter, or set by name; a row for none of them tells nobody
-         * anything. */
+        /* Mistakes are looked for by a filter, or set by name; a row for none of them tells nothing. */
         if (!parameter_applies_to(settings, parameter) ||
             (parameter->wrong && !*screen->parameters->filter &&
              !settings_are_at_work(settings, parameter)) ||

@@ -22,8 +22,7 @@ typedef struct Subject {
 
 /* --- numbers of a thing --------------------------------------------------------------------------- */
 
-/* "particle 25  stress 0.41517 → 0.41152  strain ...": fields on as many lines as they take. With no area the
- * lines are only counted. */
+/* "particle 25  stress 0.41517 → 0.41152 ...": on as many lines as it takes; without an area only counted. */
 static int draw_fields(const Subject *subject, const Area *area, int width, int y, const int *fields,
                        int count)
 {
@@ -36,11 +35,11 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
         const int field = fields[i];
         const Field *row = &subject->sim->fields[field];
         /* its label, its unit and, where the stage changed it, what it was */
-        char label[80], was[NUMBER_TEXT_MAX + 16] = "", unit[40], arrow[4];
+        char label[80], was[NUMBER_TEXT_MAX + 16] = "", arrow[4];
         double value = NAN, before;
         subject->sim->method->field(subject->sim, field, subject->index, 1, &value);
         snprintf(label, sizeof label, "%s ", row->quantity.label);
-        screen_unit_text(subject->screen, row, unit, sizeof unit);
+        const ScreenText unit = screen_unit_text(subject->screen, row);
         glyphs_plain(subject->screen->look.glyphs, "→", arrow, sizeof arrow);
         const bool changed =
             subject->done &&
@@ -55,8 +54,8 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
             if (strcmp(old.text, now.text) != 0)
                 break;
         }
-        const int columns =
-            glyphs_columns(label) + glyphs_columns(was) + glyphs_columns(now.text) + glyphs_columns(unit);
+        const int columns = glyphs_columns(label) + glyphs_columns(was) + glyphs_columns(now.text) +
+                            glyphs_columns(unit.text);
         if (x + 2 + columns > width) {
             line++;
             x = 0;
@@ -66,7 +65,7 @@ static int draw_fields(const Subject *subject, const Area *area, int width, int 
             int at = x + area_text(*area, x, y + line, label, STYLE_FAINT);
             at += area_text(*area, at, y + line, was, STYLE_NORMAL);
             at += area_text(*area, at, y + line, now.text, changed ? STYLE_CHANGED : STYLE_NORMAL);
-            area_text(*area, at, y + line, unit, STYLE_FAINT);
+            area_text(*area, at, y + line, unit.text, STYLE_FAINT);
         }
         x += columns;
     }
@@ -107,8 +106,7 @@ static void draw_line(Area area, int y, const char *text, size_t length, bool la
     area_text(area, x, y, result + 1, STYLE_CHANGED);
 }
 
-/* Lines of sums, each ended by '\n', broken where they must be. Returns the lines; with an area they are
- * drawn. */
+/* Lines of sums, each ended by '\n', broken where they must be, and drawn on an area; returns how many. */
 static int sums_on(const Area *area, int width, int y, const char *sums)
 {
     int used = 0;
@@ -145,8 +143,7 @@ static void join_lines(char *sums, int width)
     }
 }
 
-/* The sums with as many terms as there are rows for, where not even two do in lines that share rows. Returns
- * the rows. */
+/* The sums with as many terms as there are rows for, or else in lines that share rows. Returns the rows. */
 static int choose_sums(const Subject *subject, int width, int rows, char sums[SUMS_MAX])
 {
     static const int terms[] = {0, 24, 16, 12, 8, 6, 5, 4, 3, 2};
@@ -169,8 +166,8 @@ static int choose_sums(const Subject *subject, int width, int rows, char sums[SU
     return lines;
 }
 
-/* "B: ..." on each line: what B has of the same thing after the same stage, the last lines that there is room
- * for. Returns the rows. */
+/* "B: ..." on each line: what B has of the same thing then, the last lines that have room. Returns the rows.
+ */
 static int other_sums(const Subject *subject, int width, int room, char sums[SUMS_MAX])
 {
     enum { TERMS = 4 };

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The timeline: from 0 to the end of the run, the part that has been computed, where we are, and what
- * happened when. */
+/* The timeline: the part of the run that has been computed, where we are, and what happened when. */
 #include "panes/panes.h"
 
 #include "base/assertion.h"

@@ -10,8 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* "MPM USF hat", of a duel what differs, "A USF  B USL": the method and the choices that make the difference.
- */
+/* "MPM USF hat", of a duel "A USF  B USL": the method and the choices that make the difference. */
 static void method_words_of(const Screen *screen, char *out, size_t size)
 {
     static const char *const keys[] = {"mpm.algorithm", "mpm.shape", "mpm.transfer"};
@@ -72,11 +71,10 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
         snprintf(out, size, "PAUSED");
 }
 
-/* The time of the run with so many decimals less than the step has, but with two at least where it has them.
- */
+/* The time with so many decimals less than the step has, but with two at least where it has them. */
 static void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
 {
-    screen_time_text(screen, experiment_time(screen->experiment), out, size);
+    snprintf(out, size, "%s", screen_time_text(screen, experiment_time(screen->experiment)).text);
     char *point = strchr(out, '.');
     if (!point)
         return;

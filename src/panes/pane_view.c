@@ -9,6 +9,7 @@
 #include "run/playback.h"
 
 #include <stdio.h>
+#include <string.h>
 
 void pane_view_variant(const View *view, const Screen *screen, Area area, Style heading, int variant)
 {
@@ -67,7 +68,7 @@ void view_describe(const View *view, const Screen *screen, int columns, int rows
     }
     picture->of_moment = view->home != PANE_LOWER;
     if (!picture->time[0])
-        screen_time_text(screen, experiment_time(screen->experiment), picture->time, sizeof picture->time);
+        strcpy(picture->time, screen_time_text(screen, experiment_time(screen->experiment)).text);
     cells_fit(picture, rows);
 }
 

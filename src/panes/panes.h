@@ -65,8 +65,7 @@ int pane_parameters_first(const ParametersShown *shown, int count,
 void pane_lesson(const Screen *, Area);
 /* What is to be done to go on: "Space runs to t 5". */
 void pane_lesson_footer(const Screen *, char *out, size_t size);
-/* That all of it needs, heading and footer too; without gaps between paragraphs if with them it is more than
- * `most`. */
+/* Rows that all of it needs; without gaps between paragraphs if with them it is more than `most`. */
 int pane_lesson_rows(const Screen *, int width, int most);
 int pane_lesson_at(const Screen *, Area, int row); /* whose title is in that row; -1: none */
 void pane_timeline(const Screen *, Area);

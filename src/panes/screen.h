@@ -194,8 +194,7 @@ const Experiment *screen_second_run(const Screen *);
 /* The run beside the one on this screen, A of B and B of A; NULL: there is one alone. */
 const Experiment *screen_other_run(const Screen *);
 
-/* Both runs of a duel share the picture: what only one of them can have is left to the pictures of one run.
- */
+/* Both runs of a duel share the picture: what only one of them can have is left to pictures of one run. */
 bool screen_is_shared(const Screen *);
 
 /* The screen of one run of a duel, for a picture of its own. */
@@ -213,8 +212,13 @@ bool screen_is_rewound(const Screen *); /* more has been computed than is shown 
 /* What is settled by the problem of the run shown, its units above all. */
 const Problem *screen_problem(const Screen *);
 
+/* Words that are used where they are asked for: screen_time_text(screen, t).text. */
+typedef struct ScreenText {
+    char text[48];
+} ScreenText;
+
 /* "t 12.34" with as many decimals as the time step has: columns do not dance. */
-void screen_time_text(const Screen *, double time, char *out, size_t size);
+ScreenText screen_time_text(const Screen *, double time);
 
 /* How far a particle field reaches: what it is now and, where the exact answer is known, will be; rounded up
  * so that a scale made of it keeps still. */
@@ -232,7 +236,7 @@ double screen_node_values(const Screen *, const char *field, bool before, double
 
 /* " m/s" after a value of a field; "" where it has none, and for the bar, whose units are whatever one likes
  * so long as they fit together. */
-void screen_unit_text(const Screen *, const Field *, char *out, size_t size);
+ScreenText screen_unit_text(const Screen *, const Field *);
 
 /* --- between which things a stage hands on -------------------------------------------------------- */
 
@@ -256,8 +260,7 @@ Rect screen_pane(const Screen *, int width, int height, PaneId);
 /* Whether the pane shows the diagnosis of a foreign code at this size. */
 bool screen_shows_diagnosis(const Screen *, int width, int height);
 
-/* Whether all panes of the sheet have room; on a smaller screen only the focused one, or the two plots, are
- * seen. */
+/* Whether all panes of the sheet have room; else only the focused one, or the two plots, are seen. */
 bool screen_is_whole(const Screen *, int width, int height);
 
 /* The command under column x of the key line; COMMAND_NONE: none. */
@@ -295,8 +298,7 @@ long screen_timeline_step(const Screen *, int width, int height, int x, int y);
 /* The step of the place of the timeline that is nearest to a column, in whatever row the mouse is. */
 long screen_timeline_nearest(const Screen *, int width, int height, int x);
 
-/* The place of the body, m, that is drawn in a cell of the screen as long as nothing has moved. False: no map
- * is drawn there. */
+/* The place of the body, m, that is drawn in a cell as long as nothing has moved. False: no map is there. */
 bool view_map_place(const Screen *, int width, int height, int x, int y, double place[2]);
 
 /* The factor by which the beam's map draws displacements; 0: it is not shown. */

@@ -58,13 +58,15 @@ bool screen_question(const Screen *screen, char *out, size_t size)
     return true;
 }
 
-void screen_time_text(const Screen *screen, double time, char *out, size_t size)
+ScreenText screen_time_text(const Screen *screen, double time)
 {
+    ScreenText out;
     const Problem *facts = screen_problem(screen);
     const double unit = facts->shown_time, dt = screen_simulation(screen)->dt / unit;
     int decimals = dt > 0 ? (int)ceil(-math_log10(dt) - 1e-9) : 2;
     decimals = decimals < 0 ? 0 : decimals > 6 ? 6 : decimals;
-    snprintf(out, size, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
+    snprintf(out.text, sizeof out.text, "t %.*f%s", decimals, time / unit, facts->shown_time_unit);
+    return out;
 }
 
 double screen_derived(const Screen *screen, const char *name)
@@ -156,11 +158,13 @@ double screen_field_reach(const Screen *screen, int field, const double *now, si
     return reach;
 }
 
-void screen_unit_text(const Screen *screen, const Field *field, char *out, size_t size)
+ScreenText screen_unit_text(const Screen *screen, const Field *field)
 {
+    ScreenText out;
     const char *unit = field->quantity.unit;
     const bool none = !screen_problem(screen)->si || strcmp(unit, "1") == 0;
-    snprintf(out, size, "%s%s", none ? "" : " ", none ? "" : unit);
+    snprintf(out.text, sizeof out.text, "%s%s", none ? "" : " ", none ? "" : unit);
+    return out;
 }
 
 const EventMark screen_marks[SCREEN_MARKS] = {

@@ -80,7 +80,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     for (size_t i = 0; i < list->rows; i++) {
         const LogEntry *entry = &log.entries[i];
         const Style style = styles[entry->event->kind];
-        screen_time_text(screen, entry->time, list->names[i], sizeof list->names[i]);
+        strcpy(list->names[i], screen_time_text(screen, entry->time).text);
         *picture_cell(list, 0, i) =
             (PictureCell){.letter = entry->run, .style = entry->run == 'B' ? STYLE_SECOND : STYLE_MEASURED};
         *picture_cell(list, both, i) =

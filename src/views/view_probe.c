@@ -180,17 +180,15 @@ static void frequency_lines(const Screen *screen, char first[READOUT_TEXT], char
 static void cursor_line(const Screen *screen, const Line *lines, int n_lines, const char *curve, int digits,
                         bool brief, char out[160])
 {
-    char time[48], letter[2] = "";
+    char letter[2] = "";
     out[0] = '\0';
     for (int i = 0; i < n_lines; i++) {
         const Record *record = lines[i].run->record;
         if (record->count == 0)
             return;
         const double *row = record_row(record, record_find(record, screen->time.cursor));
-        if (i == 0) {
-            screen_time_text(screen, row[1], time, sizeof time);
-            snprintf(out, 160, "%s", time);
-        }
+        if (i == 0)
+            snprintf(out, 160, "%s", screen_time_text(screen, row[1]).text);
         /* a reference that is not known there has no value; what is measured says even so that it has none */
         if (i > 0 && !isfinite(row[lines[i].column]))
             continue;

@@ -151,11 +151,11 @@ static void add_keys(const Screen *screen, Picture *picture, const Curve *curves
         if (runs[i].ghost >= 0) {
             /* What a ghost's letter stands for: its moment where it is not the present, and what differs. */
             const double dt = screen_simulation(screen)->dt;
-            char moment[48], word[RUN_WORD_MAX];
+            char word[RUN_WORD_MAX];
             if (fabs(runs[i].profile->time - experiment_time(screen->experiment)) >= 0.51 * dt) {
-                screen_time_text(screen, runs[i].profile->time, moment, sizeof moment);
                 snprintf(word, sizeof word, "%s", runs[i].word);
-                snprintf(runs[i].word, sizeof runs[i].word, "at %s, %.*s", moment, RUN_WORD_MAX - 54, word);
+                snprintf(runs[i].word, sizeof runs[i].word, "at %s, %.*s",
+                         screen_time_text(screen, runs[i].profile->time).text, RUN_WORD_MAX - 54, word);
             }
         } else if (runs[i].shown)
             picture_key(picture, runs_key(&runs[i]));

@@ -191,7 +191,6 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, bool fast
                        int n_marks, Picture *picture, const char *name)
 {
     const double needed = n_marks > 0 ? PERIODS_LEAST * 2 * M_PI / marks[0].frequency : INFINITY;
-    char time[48];
     if (!screen_problem(screen)->si && !experiment_readout(screen->experiment)->moving)
         picture_say(picture, name, "Nothing vibrates here: there is no line to look for.");
     else if (!spectrum)
@@ -200,10 +199,9 @@ static bool wants_time(const Screen *screen, const Spectrum *spectrum, bool fast
         return false;
     else if (n_marks == 0)
         picture_say(picture, name, "needs more time: no period is known yet");
-    else {
-        screen_time_text(screen, needed, time, sizeof time);
-        picture_say(picture, name, "needs more time: two periods, that is until %s", time);
-    }
+    else
+        picture_say(picture, name, "needs more time: two periods, that is until %s",
+                    screen_time_text(screen, needed).text);
     return true;
 }
 

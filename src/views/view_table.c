@@ -43,10 +43,10 @@ static void describe(const Screen *screen, int variant, Picture *picture)
         const int index = fields[c];
         const Field *field = &sim->fields[index];
         PictureColumn *head = &list->columns[c];
-        char unit[24];
-        screen_unit_text(screen, field, unit, sizeof unit);
+        const ScreenText unit = screen_unit_text(screen, field);
         head->kind = field->integer ? LIST_COUNT : LIST_NUMBER;
-        snprintf(head->name, sizeof head->name, "%.30s%s%s", field->quantity.label, *unit ? "," : "", unit);
+        snprintf(head->name, sizeof head->name, "%.30s%s%s", field->quantity.label, *unit.text ? "," : "",
+                 unit.text);
         double *values = malloc(2 * list->rows * sizeof *values), *before = values + list->rows;
         if (values) {
             sim->method->field(sim, index, list->first, list->rows, values);

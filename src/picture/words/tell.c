@@ -46,11 +46,11 @@ static void tell_where(const Screen *screen, Words *words)
     const Simulation *sim = experiment_simulation(experiment);
     const long back = experiment_newest(experiment) - experiment_step(experiment);
     const Duel *duel = screen_second_run(screen) ? screen->duel : NULL;
-    char time[48], text[400];
-    screen_time_text(screen, experiment_time(experiment), time, sizeof time);
+    char text[400];
     snprintf(text, sizeof text, "%s: %s, step %ld of %ld",
-             screen->scenario && *screen->scenario ? screen->scenario : settings->title, time,
-             experiment_step(experiment), experiment_last_step(experiment));
+             screen->scenario && *screen->scenario ? screen->scenario : settings->title,
+             screen_time_text(screen, experiment_time(experiment)).text, experiment_step(experiment),
+             experiment_last_step(experiment));
     if (experiment_stage(experiment) > 0)
         text_append(text, sizeof text, ", stage %d of %d is done", experiment_stage(experiment),
                     sim->n_stages);
@@ -211,14 +211,12 @@ static void tell_body(const Screen *screen, Words *words)
     text_append(text, sizeof text, ". Chosen is %s %zu:", sim->sets[set].name, index);
     for (int i = 0; i < sim->n_fields; i++) {
         const Field *field = &sim->fields[i];
-        char unit[40];
         double number = NAN;
         if (field->set != set || !field->in_table)
             continue;
         sim->method->field(sim, i, index, 1, &number);
-        screen_unit_text(screen, field, unit, sizeof unit);
         text_append(text, sizeof text, " %s %s%s,", field->quantity.label, text_rounded(number, DIGITS).text,
-                    unit);
+                    screen_unit_text(screen, field).text);
     }
     text[strlen(text) - 1] = '.';
     words_say(words, 2, "%s", text);

@@ -13,6 +13,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { LENGTHS_MAX = 4 };
 
@@ -244,7 +245,7 @@ void map_drawing(const Screen *screen, Picture *picture)
     add(&drawing, 0, settings_geometry(settings)->length, row);
     if (!picture_lay_drawing(picture, &drawing.room))
         return;
-    screen_time_text(screen, 0, picture->time, sizeof picture->time);
+    strcpy(picture->time, screen_time_text(screen, 0).text);
     picture_heading(picture, "the %s at t = 0", settings->problem->body);
     add_parts(&drawing);
     /* "to scale", or by how much the height is not; and "E 71 GPa  density 2700  thickness 5 mm  U 3 µm" */
