@@ -13,21 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The series of the run that the overlay is compared with: the one on screen, or else the first that it has.
- * Sets the overlay's column; NULL: there is none. */
-static const char *series_of(const Laboratory *lab, int *y)
-{
-    const Simulation *sim = laboratory_simulation(lab);
-    const char *shown = view_curve(&lab->screen, true);
-    *y = overlay_column_for(&lab->overlay, shown, false);
-    if (*y >= 0 && simulation_find_series(sim, shown) >= 0)
-        return shown;
-    for (int i = 0; i < sim->n_series; i++)
-        if ((*y = overlay_column_for(&lab->overlay, sim->series[i].name, false)) >= 0)
-            return sim->series[i].name;
-    return NULL;
-}
-
 typedef struct Waiting {
     Laboratory *lab;
     const FitTask *task;
@@ -53,8 +38,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
         fit_put(settings, task->keys[i], result.values[i]);
     sound = sound && edit_change(lab, settings, experiment_rerun, status);
     if (sound) {
-        /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: they look like noise; correlation 0.4"
-         */
+        /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: noise; correlation 0.4" */
         char text[sizeof lab->message.text] = "fitted:";
         for (int i = 0; i < task->n_keys; i++)
             text_append(text, sizeof text, "%s %s %s +- %s", i ? "," : "", task->keys[i],
@@ -83,7 +67,16 @@ bool fitting_answer(Laboratory *lab, const char *words, Status *status)
     snprintf(list, sizeof list, "%s", words);
     if (!lab->screen.overlay || lab->overlay.along)
         return status_refuse(status, "load a series over time first: overlay FILE.csv");
-    if (!(task.column = series_of(lab, &y)))
+    /* The series of the run that is compared: the one on screen, or else the first that the overlay has. */
+    const Simulation *sim = laboratory_simulation(lab);
+    const char *shown = view_curve(&lab->screen, true);
+    y = overlay_column_for(&lab->overlay, shown, false);
+    if (y >= 0 && simulation_find_series(sim, shown) >= 0)
+        task.column = shown;
+    for (int i = 0; !task.column && i < sim->n_series; i++)
+        if ((y = overlay_column_for(&lab->overlay, sim->series[i].name, false)) >= 0)
+            task.column = sim->series[i].name;
+    if (!task.column)
         return status_refuse(status, "the overlay has no column of this run's series");
     char column[OVERLAY_NAME_MAX];
     snprintf(column, sizeof column, "%s", task.column); /* the run on screen goes, and its names with it */

@@ -74,8 +74,7 @@ void laboratory_close(Laboratory *lab)
 bool laboratory_draw(Laboratory *lab, Canvas *canvas, int width, int height)
 {
     player_drop_part(&lab->player);
-    /* a screen without room for all panes begins with the plot, of bodies with their map; Tab reaches the
-     * others */
+    /* without room for all panes the plot is first, of bodies their map; Tab reaches the others */
     const PaneId plot = lab->screen.views.upper->is_map &&
                                 simulation_has(experiment_simulation(lab->screen.experiment), HAS_BODIES)
                             ? PANE_UPPER

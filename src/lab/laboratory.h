@@ -9,7 +9,6 @@
 #include "answers/convergence.h"
 #include "answers/run_summary.h"
 #include "run/overlay.h"
-#include "lab/commands/exporting.h"
 #include "lab/edit.h"
 #include "lab/lesson/lesson_play.h"
 #include "lab/player.h"
@@ -26,6 +25,8 @@
 #define QUIET_SECONDS 0.15  /* work that takes no longer is not worth a picture that reports it */
 
 typedef struct Session Session;
+
+enum { NAME_MAX_BYTES = 256 };
 
 /* What the laboratory asks of its host. */
 typedef struct Host {
@@ -51,12 +52,19 @@ typedef struct InputState {
     bool pasted_line; /* a pasted line has ended; what is pasted behind it is another word */
 } InputState;
 
-/* The points of the study of convergence that a view shows, worked out one after the other while nothing else
- * is to be done. */
+/* The points of the study of convergence that a view shows, worked out while nothing else is to be done. */
 typedef struct Refining {
     Convergence convergence;         /* behind screen.convergence */
     const ConvergenceStudy *stopped; /* by hand, until a view is asked for again; NULL: none */
 } Refining;
+
+/* The file or files that are being asked for. */
+typedef struct Exporting {
+    char name[2 * NAME_MAX_BYTES];           /* as long as an answer may be */
+    bool newest;                             /* of the run: to its newest step, not to here */
+    const View *view;                        /* of a figure */
+    void (*write)(Laboratory *, bool force); /* what is asked about writes so */
+} Exporting;
 
 struct Laboratory {
     Screen screen;
@@ -140,8 +148,7 @@ double laboratory_message_left(const Laboratory *);
  * away what has been done of it. */
 bool laboratory_frame(Laboratory *, double deadline);
 
-/* Of work that cannot be cut into frames: asks the host, and notes in the session that is recorded if it is
- * to be given up. */
+/* In work that is not cut into frames: asks the host, and notes in the session if it is to be given up. */
 bool laboratory_go_on(Laboratory *);
 
 /* Likewise, with these words in the key line meanwhile; the message of before comes back. */
@@ -150,10 +157,18 @@ bool laboratory_work(Laboratory *, const char *format, ...) __attribute__((forma
 /* Draws on a canvas of this size. */
 bool laboratory_draw(Laboratory *, Canvas *, int width, int height);
 
-/* In the key line, until a key is pressed or, information (MESSAGE_INFO), has been read; MESSAGE_NONE:
- * nothing more. */
+/* In the key line until a key is pressed or, MESSAGE_INFO, it has been read; MESSAGE_NONE: nothing more. */
 void laboratory_say(Laboratory *, MessageKind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void laboratory_tell(Laboratory *, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Asks how far and under which name, "": none is known, as far as that is needed. False: refused. */
+bool exporting_ask(Laboratory *, const char *name, Status *);
+
+/* "[VIEW] FILE": a view, or else the focused one, as a figure. False: refused, as an answer to a prompt. */
+bool exporting_figure(Laboratory *, const char *words, Status *);
+
+void exporting_scenario_ask(Laboratory *); /* writing the scenario as a file */
+bool exporting_scenario(Laboratory *, const char *text, Status *);
 
 /* `:fit KEY,...` searches the parameters with which the run agrees best with the series that lies over it,
  * and has the run made again with them; one undo takes it back. Intervals and residuals are said. */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a key goes: to the question that is open, the field under edit, the help, or the table of commands.
- */
+/* Where a key goes: to the open question, the field under edit, the help, or the table of commands. */
 #include "lab/laboratory.h"
 
 #include "base/visible.h"
@@ -164,8 +163,7 @@ static void take_key(Laboratory *lab, const Key *key)
     player_drop_part(&lab->player);
     session_note(lab->recording, lab, (SessionEvent){.key = *key});
     laboratory_say(lab, MESSAGE_NONE, "%s", "");
-    /* Pasted text goes into a field or a question and never means commands; the end of a pasted line parts
-     * words. */
+    /* Pasted text goes into a field or a question, never means commands; the end of its line parts words. */
     const bool ends_line = pasted && strcmp(pasted, "Enter") == 0;
     if (pasted && !(lab->parameters.edit.open || (lab->prompting.shown.open && !lab->prompting.shown.yes_no)))
         laboratory_tell(lab, "pasted text goes into a field or a question only; : asks for a command");

@@ -97,8 +97,7 @@ Experiment *opening_experiment(Laboratory *lab, const Settings *settings, Status
 
 Asker laboratory_user(const Laboratory *lab)
 {
-    /* what is filmed is recognised by its content, and a file that looks like a session may hold a script's
-     * keys */
+    /* a film is recognised by its content, and a file like a session may hold the keys of a script */
     if (lab->options.camera)
         return ASKER_REPLAY;
     return lab->options.script ? ASKER_SCRIPT : ASKER_KEYBOARD;

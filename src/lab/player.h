@@ -47,8 +47,7 @@ typedef struct Player {
 /* The speed of the engine is not known any more: another run takes another time for a step. */
 void player_forget_rates(Player *);
 
-/* Back to where the step that is done in parts began, for a command that wants to look or to do something
- * else. */
+/* Back to where the step that is done in parts began, for a command that wants to look or do something. */
 void player_drop_part(Player *);
 
 /* So many steps a frame that one exact period lasts 3 s; where the run comes to be half a period late, that

@@ -14,16 +14,16 @@ static double snapped(const Places *places, double place)
 }
 
 /* In cells where marks and strokes have it. */
-double places_across(const Places *places, const Picture *picture, double x)
+double places_across(const Places *places, double x)
 {
-    const int column = places->whole ? axis_column(&picture->plot.x, x, (int)places->width) : -1;
-    return column >= 0 ? column : snapped(places, axis_share(&picture->plot.x, x) * places->width);
+    const int column = places->whole ? axis_column(&places->picture->plot.x, x, (int)places->width) : -1;
+    return column >= 0 ? column : snapped(places, axis_share(&places->picture->plot.x, x) * places->width);
 }
 
-double places_down(const Places *places, const Picture *picture, double y)
+double places_down(const Places *places, double y)
 {
-    const int row = places->whole ? axis_row(&picture->plot.y, y, (int)places->height) : -1;
-    return row >= 0 ? row : snapped(places, (1 - axis_share(&picture->plot.y, y)) * places->height);
+    const int row = places->whole ? axis_row(&places->picture->plot.y, y, (int)places->height) : -1;
+    return row >= 0 ? row : snapped(places, (1 - axis_share(&places->picture->plot.y, y)) * places->height);
 }
 
 static bool is_free(const Places *places, double left, double top, double right, double bottom)
@@ -63,11 +63,11 @@ static bool write_beside(Places *places, const PictureLabel *label, double acros
 }
 
 /* Its first line, or what stands below it, as far as there is room: that need not begin beside its thing. */
-static void write_label(Places *places, const Picture *picture, const PictureLabel *label, bool below)
+static void write_label(Places *places, const PictureLabel *label, bool below)
 {
     char lines[sizeof label->text], named[sizeof label->text + 32], *rest;
-    const double across = places_across(places, picture, label->x);
-    double top = fmax(0, places_down(places, picture, label->y) - (places->whole ? 0 : places->row / 2));
+    const double across = places_across(places, label->x);
+    double top = fmax(0, places_down(places, label->y) - (places->whole ? 0 : places->row / 2));
     snprintf(lines, sizeof lines, "%s", label->text);
     char *line = strtok_r(lines, "\n", &rest);
     snprintf(named, sizeof named, "%s %s", label->thing ? label->thing : "", line ? line : "");
@@ -81,13 +81,12 @@ static void write_label(Places *places, const Picture *picture, const PictureLab
 /* --- arrows ----------------------------------------------------------------------------------------- */
 
 /* Some lines, in full or in brief, about a place of the arrow. */
-static bool write_on(Places *places, const Picture *picture, const PictureArrow *arrow, double share,
-                     int lines, bool brief)
+static bool write_on(Places *places, const PictureArrow *arrow, double share, int lines, bool brief)
 {
     const double x = arrow->from[0] + share * (arrow->to[0] - arrow->from[0]);
     const double y = arrow->from[1] + share * (arrow->to[1] - arrow->from[1]);
-    const double middle = places_across(places, picture, x), half_row = places->whole ? 0 : places->row / 2;
-    const double top = places_down(places, picture, y) - half_row - (lines - 1) * half_row;
+    const double middle = places_across(places, x), half_row = places->whole ? 0 : places->row / 2;
+    const double top = places_down(places, y) - half_row - (lines - 1) * half_row;
     double left[PICTURE_ARROW_LINES], columns[PICTURE_ARROW_LINES], low = INFINITY, high = -INFINITY;
     for (int i = 0; i < lines; i++) {
         columns[i] = places->columns(places, brief ? arrow->brief[i] : arrow->text[i]);
@@ -105,7 +104,7 @@ static bool write_on(Places *places, const Picture *picture, const PictureArrow 
 }
 
 /* With all its lines or some, in full or, where that is needed or must be, in brief; false: nowhere. */
-static bool write_arrow(Places *places, const Picture *picture, const PictureArrow *arrow, bool shorter)
+static bool write_arrow(Places *places, const PictureArrow *arrow, bool shorter)
 {
     static const double away[] = {0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3};
     int most = 0;
@@ -115,28 +114,30 @@ static bool write_arrow(Places *places, const Picture *picture, const PictureArr
         for (int lines = most; lines > 0; lines--)
             for (size_t i = 0; i < sizeof away / sizeof *away; i++) {
                 const double share = arrow->place + away[i];
-                if (share > 0.05 && share < 0.95 && write_on(places, picture, arrow, share, lines, brief))
+                if (share > 0.05 && share < 0.95 && write_on(places, arrow, share, lines, brief))
                     return true;
             }
     return most == 0;
 }
 
 /* So many find room, the first in full and the others in brief or not. */
-static int write_arrows(Places *places, const Picture *picture, bool brief)
+static int write_arrows(Places *places, bool brief)
 {
+    const Picture *picture = places->picture;
     int written = 0;
     bool first = true;
     for (int i = 0; i < picture->n_arrows; i++)
         if (picture->arrows[i].side == 0) {
-            written += write_arrow(places, picture, &picture->arrows[i], brief && !first);
+            written += write_arrow(places, &picture->arrows[i], brief && !first);
             first = false;
         }
     return written;
 }
 
 /* Beside its thing, the first as a bare number: drawings of many arrows name in their heading what it is. */
-static void write_side_words(Places *places, const Picture *picture, bool below)
+static void write_side_words(Places *places, bool below)
 {
+    const Picture *picture = places->picture;
     for (int i = 0; i < picture->n_arrows; i++) {
         const PictureArrow *arrow = &picture->arrows[i];
         PictureLabel label = {
@@ -146,25 +147,27 @@ static void write_side_words(Places *places, const Picture *picture, bool below)
         snprintf(label.text, sizeof label.text, "%s", arrow->brief[0]);
         for (int line = 1; line < PICTURE_ARROW_LINES && arrow->text[line][0]; line++)
             text_append(label.text, sizeof label.text, "\n%s", arrow->text[line]);
-        write_label(places, picture, &label, below);
+        write_label(places, &label, below);
     }
 }
 
 /* --- the whole -------------------------------------------------------------------------------------- */
 
-static void write_labels(Places *places, const Picture *picture, bool spare, bool below)
+static void write_labels(Places *places, bool spare, bool below)
 {
+    const Picture *picture = places->picture;
     for (int i = 0; i < picture->n_labels; i++)
         if (picture->labels[i].spare == spare)
-            write_label(places, picture, &picture->labels[i], below);
+            write_label(places, &picture->labels[i], below);
 }
 
-void places_write(Places *places, const Picture *picture)
+void places_write(Places *places)
 {
+    const Picture *picture = places->picture;
     const double half = places->whole ? 0 : places->gap / 2, size = places->whole ? 1 : 0;
     for (size_t i = 0; i < picture->n_marks; i++) {
         const PictureMark *mark = &picture->marks[i];
-        const double x = places_across(places, picture, mark->x), y = places_down(places, picture, mark->y);
+        const double x = places_across(places, mark->x), y = places_down(places, mark->y);
         if (mark->kind == MARK_PLACE)
             take(places, x - half, y - half, x + half + size, y + half + size);
     }
@@ -179,24 +182,24 @@ void places_write(Places *places, const Picture *picture)
                 low[d] = fmin(low[d], points[2 * k + (size_t)d]);
                 high[d] = fmax(high[d], points[2 * k + (size_t)d]);
             }
-        take(places, places_across(places, picture, low[0]), places_down(places, picture, high[1]),
-             places_across(places, picture, high[0]) + size, places_down(places, picture, low[1]) + size);
+        take(places, places_across(places, low[0]), places_down(places, high[1]),
+             places_across(places, high[0]) + size, places_down(places, low[1]) + size);
     }
     for (int i = 0; i < picture->n_arrows && places->whole; i++) {
-        const double x = places_across(places, picture, picture->arrows[i].to[0]);
-        const double y = places_down(places, picture, picture->arrows[i].to[1]);
+        const double x = places_across(places, picture->arrows[i].to[0]);
+        const double y = places_down(places, picture->arrows[i].to[1]);
         take(places, x, y, x + size, y + size);
     }
-    write_labels(places, picture, false, false);
-    write_side_words(places, picture, false);
+    write_labels(places, false, false);
+    write_side_words(places, false);
     /* Where in full one of them has no room, the first one says what the numbers of the others are. */
     Places tried = *places;
     tried.write = NULL;
-    const int in_full = write_arrows(&tried, picture, false);
+    const int in_full = write_arrows(&tried, false);
     tried.n_taken = places->n_taken;
-    write_arrows(places, picture, write_arrows(&tried, picture, true) > in_full);
-    write_side_words(places, picture, true);
-    write_labels(places, picture, false, true);
-    write_labels(places, picture, true, false);
-    write_labels(places, picture, true, true);
+    write_arrows(places, write_arrows(&tried, true) > in_full);
+    write_side_words(places, true);
+    write_labels(places, false, true);
+    write_labels(places, true, false);
+    write_labels(places, true, true);
 }

@@ -13,6 +13,7 @@ typedef struct Places Places;
 
 /* A back end fills the first members, in its own unit, from the upper left corner of the drawing. */
 struct Places {
+    const Picture *picture;
     double width, height;
     double row; /* height of a line of words */
     double gap; /* between the middle of a thing and the words beside it */
@@ -28,9 +29,9 @@ struct Places {
 };
 
 /* In that unit; across and down. */
-double places_across(const Places *, const Picture *, double x);
-double places_down(const Places *, const Picture *, double y);
+double places_across(const Places *, double x);
+double places_down(const Places *, double y);
 
-void places_write(Places *, const Picture *);
+void places_write(Places *);
 
 #endif

@@ -239,25 +239,6 @@ int table_decimals(const TableColumn *column, TableTotal total, Writing writing)
     return total != TOTAL_RESULT && base_of(column) != 0 ? writing.decimals : writing.sum_decimals;
 }
 
-/* Its terms, one below the other, and the rows under them. */
-static void write_terms(const Plan *plan, const Part *part, int c, int end, int y)
-{
-    const PictureTable *table = plan->table;
-    const TableColumn *column = plan->columns[c];
-    const Writing writing = plan->writings[c];
-    double terms[TABLE_ROWS_MAX + 1], sum;
-    const size_t count = terms_of(plan, column, terms, &sum);
-    for (size_t i = 0; i < count; i++)
-        write_number(part, end, y + (int)i, terms[i], writing, writing.decimals,
-                     i < plan->shown ? column->style : STYLE_FAINT);
-    y += (int)count;
-    const double totals[TOTALS] = {sum, column->base, column->result};
-    for (TableTotal i = 0; i < TOTALS; i++)
-        if (table->totals[i].name)
-            write_number(part, end, y++, totals[i], writing, table_decimals(column, i, writing),
-                         table->totals[i].style);
-}
-
 static void write_table(const Plan *plan, const Part *part, int y)
 {
     const PictureTable *table = plan->table;
@@ -276,12 +257,23 @@ static void write_table(const Plan *plan, const Part *part, int y)
     }
     y += titled + plan->labelled + plan->scaled + 1;
     for (int c = 0, end = plan->names; c < plan->n_columns; c++) {
+        const TableColumn *column = plan->columns[c];
+        const Writing writing = plan->writings[c];
+        double values[TABLE_ROWS_MAX + 1], sum;
+        const size_t count = terms_of(plan, column, values, &sum);
         end += plan->widths[c];
-        if (plan->columns[c]->adds)
-            write_terms(plan, part, c, end - 1, y);
-        else {
-            double values[TABLE_ROWS_MAX + 1], sum;
-            terms_of(plan, plan->columns[c], values, &sum);
+        if (column->adds) {
+            /* Its terms, one below the other, and the rows under them. */
+            const double totals[TOTALS] = {sum, column->base, column->result};
+            int under = y + (int)count;
+            for (size_t i = 0; i < count; i++)
+                write_number(part, end - 1, y + (int)i, values[i], writing, writing.decimals,
+                             i < plan->shown ? column->style : STYLE_FAINT);
+            for (TableTotal i = 0; i < TOTALS; i++)
+                if (table->totals[i].name)
+                    write_number(part, end - 1, under++, totals[i], writing,
+                                 table_decimals(column, i, writing), table->totals[i].style);
+        } else {
             const Format format = format_of(values, plan->shown, FACTOR_DIGITS, plan->widths[c] - 1);
             for (size_t j = 0; j < plan->shown; j++) {
                 format_number(values[j], format, text);

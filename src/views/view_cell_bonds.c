@@ -131,8 +131,7 @@ static void describe_family(const NearBonds *bonds, Picture *picture)
     snprintf(name, sizeof name, "node %zu: %zu bonds, %zu broken; the strongest pulls%s", bonds->node,
              bonds->count, bonds->count - bonds->whole, bonds->unit);
     open_drawing(picture, 0, 1, name);
-    /* The body around the node, its bonds' other ends as dots, those that are written out with their letters.
-     */
+    /* The body around the node: the other ends as dots, those that are written out with their letters. */
     for (size_t k = 0; k < bonds->count; k++)
         for (int d = 0; d < 2; d++)
             reach = fmax(reach, fabs(bonds->links[k].apart[d]));

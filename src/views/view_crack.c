@@ -207,8 +207,15 @@ static bool is_quick(double share, void *context)
     return ++*asked <= QUESTIONS_MAX;
 }
 
-static void describe_cost(const Screen *screen, Picture *picture)
+void crack_cost_describe(const Screen *screen, int variant, Picture *picture)
 {
+    const CrackCurve over_time = {
+        "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
+    /* what it costs over time is a column's of the notched beam alone */
+    if (has_crack(screen) && variant == 0) {
+        describe_over_time(screen, picture, &over_time);
+        return;
+    }
     CrackPrice price;
     int asked = 0;
     const Cancel quickly = {is_quick, &asked};
@@ -250,15 +257,4 @@ static void describe_cost(const Screen *screen, Picture *picture)
                  parts[0], parts[1]);
     picture_note(picture, STYLE_FAINT, "3 " LONG_SHORT("further than a horizon", "far off") " %.1f",
                  parts[2]);
-}
-
-void crack_cost_describe(const Screen *screen, int variant, Picture *picture)
-{
-    const CrackCurve cost = {
-        "crack's cost, J/m^2", "", "G0", energy_of_crack, screen_derived(screen, "critical_energy"), ""};
-    /* what it costs over time is a column's of the notched beam alone */
-    if (has_crack(screen) && variant == 0)
-        describe_over_time(screen, picture, &cost);
-    else
-        describe_cost(screen, picture);
 }

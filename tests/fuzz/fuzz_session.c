@@ -4,7 +4,6 @@
 
 #include "scenario/scenario.h"
 #include "lab/laboratory.h"
-#include "lab/commands/exporting.h"
 #include "terminal/keys.h"
 
 #include <stdio.h>

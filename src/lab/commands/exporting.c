@@ -299,29 +299,20 @@ static void write_figure(Laboratory *lab, bool force)
     free(whole);
 }
 
-/* The view that the first word names, where a file stands behind it; the rest is the file. */
-static const View *take_view(const Screen *screen, const char **words)
-{
-    char word[32] = "";
-    const size_t length = strcspn(*words, " ");
-    if (length < sizeof word)
-        snprintf(word, sizeof word, "%.*s", (int)length, *words);
-    const View *named = view_named(word);
-    if (!named || !(*words)[length]) {
-        /* Where no plot has the focus it is the lower one, as for the cursor. */
-        if (screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
-            return &view_inspector;
-        return screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
-    }
-    *words += length + strspn(*words + length, " ");
-    return named;
-}
-
 bool exporting_figure(Laboratory *lab, const char *words, Status *status)
 {
     const Screen *screen = &lab->screen;
-    const char *file = words;
-    const View *view = take_view(screen, &file);
+    /* the view that the first word names, where a file stands behind it */
+    const size_t length = strcspn(words, " ");
+    char word[32] = "";
+    if (length < sizeof word)
+        snprintf(word, sizeof word, "%.*s", (int)length, words);
+    const View *view = words[length] ? view_named(word) : NULL;
+    const char *file = view ? words + length + strspn(words + length, " ") : words;
+    if (!view && screen->panes.inspecting && screen->panes.focus == PANE_INSPECTOR)
+        view = &view_inspector;
+    else if (!view) /* where no plot has the focus it is the lower one, as for the cursor */
+        view = screen->panes.focus == PANE_UPPER ? screen->views.upper : screen->views.lower;
     if (!*file)
         return status_refuse(status, "a file is expected: FILE.svg, .pdf, .png, .tex or .gp");
     if (!figure_allowed(file, status) || !output_may_begin(file, lab->asker, true, status))

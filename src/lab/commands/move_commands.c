@@ -72,8 +72,7 @@ static void move(Laboratory *lab, int x, int y, int page)
         screen->chosen.is_node &= simulation_has(laboratory_simulation(lab), HAS_MESH);
         selection_next(&screen->chosen, laboratory_simulation(lab), x ? x : y, (size_t)page);
     } else if (simulation_has(laboratory_simulation(lab), HAS_MESH)) {
-        /* from the chosen particle to the node that it shares most with, or back: the strip has the grid
-         * above */
+        /* from the particle to the node that it shares most with, or back: the strip has the grid above */
         inspector_move(screen, 0, y < 0 ? -1 : 1, 1);
     }
 }

@@ -258,20 +258,6 @@ static void run_to(Laboratory *lab, const Stop *stop)
     player_settle(lab);
 }
 
-/* What has happened already is gone back to; false: there is nothing of the kind. */
-static bool go_to_first(Laboratory *lab, const Stop *stop)
-{
-    int count;
-    const Event *events = experiment_events(laboratory_run(lab), &count);
-    for (int i = 0; i < count; i++)
-        if (stop->events >> events[i].kind & 1) {
-            player_go_to(lab, events[i].step);
-            laboratory_tell(lab, "step %ld: %s", events[i].step, events[i].text);
-            return true;
-        }
-    return false;
-}
-
 bool command_answer_until(Laboratory *lab, const char *text, Status *status)
 {
     const Experiment *experiment = laboratory_run(lab);
@@ -288,8 +274,14 @@ bool command_answer_until(Laboratory *lab, const char *text, Status *status)
     text += first ? 6 + strspn(text + 6, " ") : 0;
     if (!stop_read(&stop, text, experiment, status))
         return false;
-    if (first && go_to_first(lab, &stop))
-        return true;
+    int count;
+    const Event *events = experiment_events(experiment, &count);
+    for (int i = 0; first && i < count; i++) /* what has happened already is gone back to */
+        if (stop.events >> events[i].kind & 1) {
+            player_go_to(lab, events[i].step);
+            laboratory_tell(lab, "step %ld: %s", events[i].step, events[i].text);
+            return true;
+        }
     const long step = stop_step(&stop, experiment);
     if (step >= 0 && step <= experiment_step(experiment)) {
         player_go_to(lab, step);

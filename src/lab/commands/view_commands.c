@@ -15,8 +15,7 @@ void command_show_digit(Laboratory *lab, int digit)
         return;
     }
     command_show_view(lab, view);
-    /* The keys go where the view is: Enter and the arrows do what its help says. Beside a lesson they stay
-     * with its page. */
+    /* Keys go where the view is, as its help says; beside a lesson they stay with its page. */
     Screen *screen = &lab->screen;
     PanesShown *panes = &screen->panes;
     const PaneId at = screen_view_in(screen, panes->focus) == view ? panes->focus

@@ -81,8 +81,7 @@ static bool is_met(Laboratory *lab, const LessonUntil *until)
     return true;
 }
 
-/* Where a page's goal leaves a run that is `from` there. What was only to be looked at, a command, leaves
- * nothing behind. */
+/* Where a page's goal leaves a run that is `from` there; a command that is looked at leaves it there. */
 static Place goal_place(const Laboratory *lab, const LessonUntil *until, Place from)
 {
     if (until->kind == UNTIL_STAGE)
@@ -261,8 +260,7 @@ bool lesson_entry_keeps(Laboratory *lab, const Key *key)
                            leaving[] = {COMMAND_PAGE_UP, COMMAND_PAGE_DOWN, COMMAND_LESSONS, COMMAND_QUIT,
                                         COMMAND_NONE};
     LessonPlay *play = &lab->play;
-    /* Turning to another page, closing the lesson or the program does not wait, unless something before it
-     * does. */
+    /* Turning the page, closing the lesson or the program does not wait, unless something before it does. */
     const bool leaves = play->n_waiting == 0 && (strcmp(key->name, "n") == 0 || strcmp(key->name, "b") == 0 ||
                                                  is_one_of(key, leaving));
     if (!is_arriving(lab) || leaves || (lab->prompting.shown.open && lab->prompting.shown.yes_no) ||
@@ -410,8 +408,7 @@ static void queue_page(Laboratory *lab, int page)
     queue_part(play, &pages[page].first, true);
 }
 
-/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
- */
+/* The row of the parameter pane that the arrows change, so that fields beside a text work as there. */
 void lesson_entry_select(Laboratory *lab, const char *key)
 {
     lab->parameters.filter[0] = '\0';

@@ -263,8 +263,7 @@ static bool holds(const char *text, const char *words)
     return text && strcasestr(text, words);
 }
 
-/* The first page with these words, from 1; 0: none. The title and the sentence of the list belong to page 1.
- */
+/* The first page with these words, from 1; 0: none. What the list says of a lesson belongs to page 1. */
 static int page_with(const char *name, const char *words)
 {
     Lesson lesson = {0};

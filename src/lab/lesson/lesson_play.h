@@ -49,8 +49,7 @@ bool lesson_judge_run(Laboratory *, const Settings *, RunSummary *, Status *);
 /* What the page's exercise is of a run that came to this; NAN: not known. False: `was` has no run. */
 bool lesson_judge_value(const Laboratory *, const Settings *, const RunSummary *, double *value, Status *);
 
-/* The right number of the page, from a run of its own to the end. NAN: it is not known. False: the run failed
- * or was given up. */
+/* The right number of the page, from a run of its own; NAN: not known. False: that failed or was given up. */
 bool lesson_judge_number(Laboratory *, double *right, Status *);
 
 /* How a page of a lesson is entered: in one state, whichever way one came.
@@ -98,8 +97,7 @@ const LessonPage *lesson_entry_page(const Laboratory *);
 /* Turns to a page, and brings about its state. */
 void lesson_entry_show(Laboratory *, int page);
 
-/* The row of the parameter pane that the arrows change, so that fields beside a text work as they do there.
- */
+/* The row of the parameter pane that the arrows change, so that fields beside a text work as there. */
 void lesson_entry_select(Laboratory *, const char *key);
 
 /* How fast a run goes under the page that is open; without one, as anywhere. */

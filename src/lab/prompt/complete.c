@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tab in a question: what has been typed is completed as far as it is certain, else what there is is shown.
- */
+/* Tab in a question: what was typed is completed as far as is certain, else what there is is shown. */
 #include "lab/laboratory.h"
 #include "base/text.h"
 #include "base/visible.h"

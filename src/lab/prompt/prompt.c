@@ -103,8 +103,7 @@ void prompt_key(Laboratory *lab, const Key *key)
         typing->typed(lab, name);
 }
 
-/* The keys of a one-line editor, those of Emacs among them. The cursor counts characters, the text is bytes.
- */
+/* The keys of a one-line editor, with those of Emacs. The cursor counts characters, the text is bytes. */
 
 /* The byte at which a character begins. */
 static size_t offset(const char *text, int character)

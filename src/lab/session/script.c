@@ -31,8 +31,7 @@ struct Script {
     int width, height;
     double time; /* virtual */
     double rate; /* steps per second; 0: without limit */
-    /* Real seconds that an instruction may take for work that is not cut into frames; 0: as long as it
-     * takes. */
+    /* Seconds that an instruction may take for work that is not cut into frames; 0: as long as it takes. */
     double cancel;
     double begun;                 /* when the instruction began */
     const ScriptInstruction *row; /* that is done */
@@ -51,8 +50,7 @@ static bool go_on(void *context)
     return script->cancel == 0 || clock_seconds() - script->begun < script->cancel;
 }
 
-/* Whatever waits for the clock waits no longer when the camera is told to stop, or its time to cancel has
- * come. */
+/* What waits for the clock waits no longer once the camera stops, or the time to cancel has come. */
 static double now(void *context)
 {
     const Script *script = context;

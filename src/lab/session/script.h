@@ -25,8 +25,7 @@ typedef struct ScriptInstruction {
 
 extern const ScriptInstruction script_instructions[];
 
-/* Plays what the options name, before their camera if there is one: without keys the run alone. The result is
- * the exit status. */
+/* Plays what the options name, before their camera; without keys the run alone. Returns the exit status. */
 int script_run(const LaboratoryOptions *, const Session *replay, Session *recording, Status *);
 
 /* The same from a stream, NULL for none; `name` stands for FILE. */

@@ -70,8 +70,7 @@ bool session_keep(const Session *, const char *file, Status *);
 
 bool session_has_keys(const Session *); /* something has been noted, or would have been with more memory */
 
-/* Reads a session to do again. NULL: "FILE:LINE: what is wrong (what is allowed)", or it is of another
- * version of matvib. */
+/* Reads a session to do again. NULL: the status says where it is wrong, or of which other version it is. */
 Session *session_read(const char *file, Status *);
 
 /* Of one of another version this has what it says of itself before its version, and nothing to do again. */

@@ -18,8 +18,7 @@ extern const char state_file_sheet[]; /* the chosen sheet: one of parameter_shee
 
 /* How far one has come in each lesson, kept between two visits: a file with one line a lesson, NAME PAGE. */
 
-/* Raises the pages that were reached to those of the file. False: it may hold more than could be read, or
- * there is no home. */
+/* Raises the pages reached to those of the file. False: it may hold more, or there is no home. */
 bool state_file_read_lessons(int reached[LESSONS_MAX]);
 
 /* Another laboratory may have come further meanwhile, or a recorded session not as far: nothing is taken

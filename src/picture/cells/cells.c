@@ -211,7 +211,8 @@ static void write_words(const Places *places, double left, double top, const cha
 
 static void draw_drawing(const Picture *picture, Area inner)
 {
-    Places places = {.width = inner.rect.width,
+    Places places = {.picture = picture,
+                     .width = inner.rect.width,
                      .height = inner.rect.height,
                      .row = 1,
                      .gap = 2,
@@ -222,14 +223,13 @@ static void draw_drawing(const Picture *picture, Area inner)
     plot_draw(&picture->plot, inner);
     for (int i = 0; i < picture->n_arrows; i++) {
         const PictureArrow *arrow = &picture->arrows[i];
-        const double x = places_across(&places, picture, arrow->to[0]),
-                     y = places_down(&places, picture, arrow->to[1]);
-        const uint32_t head = glyph_arrow(x - places_across(&places, picture, arrow->from[0]),
-                                          y - places_down(&places, picture, arrow->from[1]));
+        const double x = places_across(&places, arrow->to[0]), y = places_down(&places, arrow->to[1]);
+        const uint32_t head =
+            glyph_arrow(x - places_across(&places, arrow->from[0]), y - places_down(&places, arrow->from[1]));
         area_put(inner, (int)x, (int)y, head, arrow->style);
     }
     draw_marks(picture, inner);
-    places_write(&places, picture);
+    places_write(&places);
 }
 
 /* --- a strip ---------------------------------------------------------------------------------------- */
@@ -373,13 +373,13 @@ const PictureMark *cells_target(const Picture *picture, Rect rect, int x, int y)
     const int under = rows_under(picture, rect.width, rect.height), row = strip ? rect.width : 2;
     const Rect part =
         strip ? strip_rect(picture, rect) : (Rect){rect.x, rect.y + 1, rect.width, rect.height - 1 - under};
-    const Places places = {.width = part.width, .height = part.height, .whole = true};
+    const Places places = {.picture = picture, .width = part.width, .height = part.height, .whole = true};
     const PictureMark *nearest = NULL;
     double least = HUGE_VAL;
     for (size_t i = 0; i < picture->n_marks && picture->has_axes; i++) {
         const PictureMark *mark = &picture->marks[i];
-        const double across = fabs(places_across(&places, picture, mark->x) - (x - part.x));
-        const double down = fabs(places_down(&places, picture, mark->y) - (y - part.y));
+        const double across = fabs(places_across(&places, mark->x) - (x - part.x));
+        const double down = fabs(places_down(&places, mark->y) - (y - part.y));
         if (mark->is_target && across + row * down < least) {
             least = across + row * down;
             nearest = mark;

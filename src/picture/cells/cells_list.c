@@ -243,8 +243,8 @@ void cells_tables(const Picture *picture, Area area, Style heading)
     const TableSheet sheet = {inner.rect.width, inner.rect.height, area.glyphs, .write = write_in,
                               .back_end = &inner};
     tables_write(picture, &sheet);
-    /* The heading in full with a hint if there is room, else in short; a hint at a part out of sight comes
-     * first. */
+    /* The heading in full with a hint if there is room, else in short; a hint at what is out of sight first.
+     */
     const bool parted = tables_are_parted(picture, area.rect.width);
     const char *const headings[] = {picture->heading, picture->brief};
     for (int i = 0; i < 2; i++) {

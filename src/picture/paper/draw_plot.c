@@ -497,7 +497,8 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
     if (picture->kind == PICTURE_DRAWING) {
         draw_strokes(&frame);
         const double row = frame.box.height / range_of(&frame.picture->plot.y);
-        Places places = {.width = frame.box.width,
+        Places places = {.picture = picture,
+                         .width = frame.box.width,
                          .height = frame.box.height,
                          .row = LINE_HEIGHT * fmin(SIZE_WORDS, row / LINE_HEIGHT),
                          .gap = 6,
@@ -507,7 +508,7 @@ void draw_plot(Paper *paper, const Picture *picture, Box box)
         for (int i = 0; i < frame.picture->n_arrows; i++)
             draw_head(&frame, &frame.picture->arrows[i]);
         draw_marks(&frame);
-        places_write(&places, frame.picture);
+        places_write(&places);
         return;
     }
     if (of_body) {
