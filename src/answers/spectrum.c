@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The amplitude spectrum of a column (spectrum.h): rows are taken up to a power of two, averaged in groups
- * where there are more than the transform takes, transformed by theory/frequency.c, and divided by the
- * gain of that average. */
+/* The amplitude spectrum of a column (spectrum.h). */
 #include "answers/spectrum.h"
 #include "base/assertion.h"
 #include "theory/frequency.h"
@@ -16,16 +14,6 @@ void spectrum_close(Spectrum *spectrum)
 {
     free(spectrum->amplitudes);
     *spectrum = (Spectrum){0};
-}
-
-/* Rows in whole grains of 1/128 to 1/64 of the record: while a run goes on the spectrum is worked out again
- * only then, not in every frame. The last row is left out where its distance differs from the others'. */
-static size_t settled_rows(const Record *record)
-{
-    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0), grain = 1;
-    while (2 * grain * PARTS <= rows)
-        grain *= 2;
-    return rows / grain * grain;
 }
 
 /* The gain of a mean over `stride` samples for a sine that advances by `angle` over them:
@@ -58,13 +46,16 @@ static bool transform(const Record *record, int column, size_t first, size_t cou
     return done;
 }
 
-/* SPECTRUM_SLOW: the whole record, means of `stride` rows where it has more than 8192. SPECTRUM_FAST: the
- * last 16384 rows as they are, up to the Nyquist frequency of the record. What is known already is kept.
- * False: too few rows, a value that is not a number, or memory is short; nothing is left then. */
 bool spectrum_of(const Record *record, int column, SpectrumSpan span, Spectrum *spectrum)
 {
     ASSERT_INDEX(column, record->n_columns);
-    const size_t rows = settled_rows(record);
+    /* Rows in whole grains of 1/128 to 1/64 of the record: while a run goes on the spectrum is worked out
+     * again only then, not in every frame. The last row is left out where its distance differs from the
+     * others'. */
+    size_t rows = record->count - (record->loose_last && record->count > 0 ? 1 : 0), grain = 1;
+    while (2 * grain * PARTS <= rows)
+        grain *= 2;
+    rows = rows / grain * grain;
     if (spectrum->count > 0 && spectrum->column == column && spectrum->rows == rows &&
         spectrum->spacing == record->spacing)
         return true;

@@ -24,24 +24,6 @@ const BuiltinLesson *lesson_builtin(const char *name)
 
 /* --- the scenario files that it opens ---------------------------------------------------------------- */
 
-/* Its keys and values go into the version; comments are none. */
-static bool add_scenario(Lesson *lesson, const char *path, Status *status)
-{
-    Entries entries = {.all = NULL};
-    FILE *stream = input_open(path, SCENARIO_BYTES_MAX, status);
-    const bool sound = stream && entries_read(&entries, stream, path, status);
-    for (int i = 0; sound && i < entries.count; i++) {
-        const Entry *entry = &entries.all[i];
-        const char *const parts[] = {entry->section, entry->name, entry->value};
-        for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-            lesson->version = hash_bytes(lesson->version, parts[k], strlen(parts[k]) + 1);
-    }
-    entries_free(&entries);
-    if (stream)
-        fclose(stream);
-    return sound;
-}
-
 /* "open mine.ini" of "homework/my.lesson" is "open homework/mine.ini"; a lesson of the program opens what is
  * the program's. */
 static bool find_scenario(Lesson *lesson, char **line, const char *name, Status *status)
@@ -55,7 +37,21 @@ static bool find_scenario(Lesson *lesson, char **line, const char *name, Status 
         return status_fail(status, "not enough memory for a lesson");
     free(*line);
     *line = path;
-    return add_scenario(lesson, lesson_opening(path), status) || status_prefix(status, "%s", name);
+    /* its keys and values go into the version; comments are none */
+    Entries entries = {.all = NULL};
+    file = lesson_opening(path);
+    FILE *stream = input_open(file, SCENARIO_BYTES_MAX, status);
+    const bool sound = stream && entries_read(&entries, stream, file, status);
+    for (int i = 0; sound && i < entries.count; i++) {
+        const Entry *entry = &entries.all[i];
+        const char *const parts[] = {entry->section, entry->name, entry->value};
+        for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+            lesson->version = hash_bytes(lesson->version, parts[k], strlen(parts[k]) + 1);
+    }
+    entries_free(&entries);
+    if (stream)
+        fclose(stream);
+    return sound || status_prefix(status, "%s", name);
 }
 
 static bool find_scenarios(Lesson *lesson, const char *name, Status *status)

@@ -26,23 +26,6 @@ static bool is_allowed(const Parameter *parameter, double value)
            !(parameter->above_least && value == parameter->least);
 }
 
-/* The distance of neighbouring values, 1, 2 or 5 times a power of ten: mantissa x 10^exponent, the finest
- * with which there are not more than VALUES_MOST. */
-static void find_step(const Variant *variant, int *mantissa, int *exponent)
-{
-    static const int mantissas[] = {1, 2, 5};
-    const double range = variant->to - variant->from;
-    *exponent = (int)floor(math_log10(range / VALUES_MOST)) - 1;
-    if (variant->whole && *exponent < 0)
-        *exponent = 0;
-    for (;; ++*exponent)
-        for (int i = 0; i < 3; i++) {
-            *mantissa = mantissas[i];
-            if (range / (*mantissa * math_pow(10, *exponent)) <= VALUES_MOST - 1 + 1e-6)
-                return;
-        }
-}
-
 /* All bits of a hash matter for its remainder (the finish of splitmix64, S. Vigna, public domain). */
 static uint64_t mix(uint64_t hash)
 {
@@ -114,11 +97,20 @@ typedef struct Values {
     double step, first, last;
 } Values;
 
+/* The distance of neighbours is 1, 2 or 5 times a power of ten: mantissa x 10^exponent, the finest with which
+ * there are not more than VALUES_MOST. */
 static Values values_of(const Variant *variant)
 {
+    static const int mantissas[] = {1, 2, 5};
+    const double range = variant->to - variant->from;
+    const int first = (int)floor(math_log10(range / VALUES_MOST)) - 1;
     Values values;
-    find_step(variant, &values.mantissa, &values.exponent);
-    values.step = values.mantissa * math_pow(10, values.exponent);
+    int i = variant->whole && first < 0 ? -3 * first : 0;
+    do {
+        values.mantissa = mantissas[i % 3];
+        values.exponent = first + i++ / 3;
+        values.step = values.mantissa * math_pow(10, values.exponent);
+    } while (range / values.step > VALUES_MOST - 1 + 1e-6);
     values.first = ceil(variant->from / values.step - 1e-6);
     values.last = floor(variant->to / values.step + 1e-6);
     return values;
