@@ -302,7 +302,6 @@ static int add_keys(const Duel *duel, Comparison *rows)
     return count;
 }
 
-/* The keys first, then each quantity that either run has. */
 int comparison_of_duel(const Duel *duel, Comparison rows[COMPARISONS_MAX])
 {
     if (!duel->b)

@@ -222,9 +222,6 @@ static bool point_by_run(const Settings *settings, ConvergencePoint *out, Status
     return kept || status_fail(status, "%s", why.text);
 }
 
-/* Point k, by predicted answers alone: 100 (predicted/real size - 1) in percent over the size of the lattice
- * or the mesh, and nodes in a horizon or cells in the bar. Settings that cannot be solved give a point that
- * is not known; false: memory was short or it was given up. */
 bool convergence_point(const ConvergenceStudy *study, const Settings *settings, int k, ConvergencePoint *out,
                        Status *status)
 {
@@ -263,8 +260,6 @@ bool convergence_point(const ConvergenceStudy *study, const Settings *settings, 
     return true;
 }
 
-/* p of error = C size^p between two points: log(e_a/e_b)/log(h_a/h_b). NAN where the error changes its sign
- * between them, for then there is no such p. */
 double convergence_order(const ConvergencePoint *a, const ConvergencePoint *b)
 {
     const double ratio = a->error / b->error;
@@ -284,12 +279,8 @@ double convergence_order_to(double limit, const ConvergencePoint *a, const Conve
     return convergence_order(&from, &to);
 }
 
-/* The slope of the straight line through the known points by least squares,
- *
- *     slope = (n sum xy - sum x sum y)/(n sum x^2 - (sum x)^2),   x = log size, y = log |error|
- *
- * NAN for fewer than three points, and where the error does not fall throughout with one sign: then the
- * points are not yet in the range where an order means anything. */
+/* slope = (n sum xy - sum x sum y)/(n sum x^2 - (sum x)^2), x = log size, y = log |error|. Where the error
+ * does not fall, points are not yet in the range where an order means anything. */
 double convergence_fitted_order(const ConvergencePoint *points, int count)
 {
     ASSERT_INT(count, >=, 0);
@@ -358,7 +349,6 @@ bool convergence_lacks(const Convergence *convergence, const Settings *settings,
     return convergence_known(convergence, settings, study, &points) < study->points;
 }
 
-/* The point behind those that are known, by convergence_point(). */
 bool convergence_next(Convergence *convergence, const ConvergenceStudy *study, Cancel cancel, Status *status)
 {
     const int i = index_of(convergence, study);

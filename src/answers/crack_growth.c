@@ -16,7 +16,6 @@
 /* Of the beam's height: 10, 20 and 38 mm of the 70 mm of paper P. */
 static const double angle_heights[CRACK_ANGLES] = {10.0 / 70, 20.0 / 70, 38.0 / 70};
 
-/* Angles over the heights of paper P's fig. 10, NAN until the tip is as far above the path's first row. */
 bool crack_facts(const Simulation *sim, CrackFacts *facts)
 {
     if (!crack_measure(sim, &facts->measured))

@@ -10,8 +10,6 @@
 
 #include <math.h>
 
-/* How many modes the mesh carries; 0: the method has none, or a parameter is at work that they do not know.
- */
 int dispersion_modes(const Settings *settings)
 {
     const Solver *solver = problem_solver(settings->problem, settings->method);
@@ -20,8 +18,6 @@ int dispersion_modes(const Settings *settings)
     return solver->modes(settings);
 }
 
-/* Mode `number`, 1 first: exact and predicted frequency; without predicted where that does not know a
- * parameter. */
 bool dispersion_mode(const Settings *settings, int number, ModeOnMesh *out)
 {
     ASSERT_INT(number, >=, 0);

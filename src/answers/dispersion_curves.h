@@ -34,10 +34,11 @@ struct ModeOnMesh {
 };
 
 /* How many modes the mesh can represent, one for each cell or for each node of a lattice; 0: there is
- * neither. */
+ * neither, or a parameter is at work that they do not know. */
 int dispersion_modes(const Settings *);
 
-/* Mode number 1 to dispersion_modes(). False: no such mode. */
+/* Mode number 1 to dispersion_modes(), without what is predicted where that does not know a parameter. False:
+ * no such mode. */
 bool dispersion_mode(const Settings *, int number, ModeOnMesh *);
 
 /* The same mode by other ways of the method on this very mesh, to be compared: the name of the way (which =

@@ -76,7 +76,6 @@ static bool take_all(Profile *profile, const Simulation *sim, const char *field,
     return profile->n_fields > 0;
 }
 
-/* Costs one read of each field: O(particles). On failure the profile is empty. */
 bool profile_take(Profile *profile, const Simulation *sim, const char *field)
 {
     *profile = (Profile){.time = simulation_time(sim)};

@@ -91,7 +91,6 @@ static void take_energy(RunSummary *summary, const Simulation *sim, const Column
     summary->energy_most = summary->energy_of_work ? 0 : 100 * (most - rows[total]) / start;
 }
 
-/* What a run's rows give: the energy's change, and what is at the end. */
 void summary_rows(RunSummary *summary, const Simulation *sim, const Column *columns, int n_columns,
                   const double *rows, size_t count, const double invariant[2])
 {
@@ -272,7 +271,6 @@ static void add_cost(char out[SUMMARY_MAX], const RunSummary *summary)
                 cost->plane);
 }
 
-/* First break, angles, tip, speed against Rayleigh's, and where the energy went. */
 void summary_crack_text(const RunSummary *summary, const char *microseconds, char out[SUMMARY_MAX])
 {
     const Crack *crack = &summary->crack.measured;
@@ -310,7 +308,6 @@ void summary_crack_text(const RunSummary *summary, const char *microseconds, cha
     add_cost(out, summary);
 }
 
-/* The energy's change in per cent; less than 5e-4 % is written as 0. */
 void summary_energy_text(const RunSummary *summary, char out[SUMMARY_MAX])
 {
     static const char *const names[] = {[ENERGY_INVARIANT] = "energy E*",

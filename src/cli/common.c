@@ -7,7 +7,6 @@
 #include "base/signals.h"
 #include "base/threads.h"
 #include "base/visible.h"
-#include "base/output.h"
 #include "base/cancel.h"
 #include "base/text.h"
 #include "methods/pool.h"

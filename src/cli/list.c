@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "scenario/scenario.h"
 #include "scenario/parameters.h"
-#include "answers/references.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -6,14 +6,12 @@
 #include "cli/options.h"
 
 #include "scenario/settings.h"
-#include "scenario/concern_output.h"
 #include "base/input.h"
 #include "base/threads.h"
 #include "base/text.h"
 #include "views/view.h"
 #include "scenario/parameters.h"
 #include "scenario/scenario_lines.h"
-#include "answers/references.h"
 #include "lab/session/script.h"
 #include "lessons/lesson.h"
 #include "help/command.h"
@@ -279,14 +277,12 @@ static bool take(const Option *option, const char *value, Options *options, Stat
                status_refuse(status, "%s: not a number from %g to %g: %.60s", option->name, option->range[0],
                              option->range[1], value);
     case OPTION_BYTES:
-        if (!read_bytes(value, member))
-            return status_refuse(status, "%s: %.60s is not a size (such as 64M or 2G)", option->name, value);
-        return true;
+        return read_bytes(value, member) ||
+               status_refuse(status, "%s: %.60s is not a size (such as 64M or 2G)", option->name, value);
     case OPTION_SIZE:
-        if (!text_to_size(value, 1, option->most, member))
-            return status_refuse(status, "%s: %.60s is not a size (such as 80x24; at most %d each)",
-                                 option->name, value, option->most);
-        return true;
+        return text_to_size(value, 1, option->most, member) ||
+               status_refuse(status, "%s: %.60s is not a size (such as 80x24; at most %d each)", option->name,
+                             value, option->most);
     case OPTION_WORD:
         for (int i = 0; option->words[i]; i++) {
             if (strcmp(option->words[i], value) == 0) {

@@ -8,7 +8,6 @@
 #include "scenario/concern_body.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_cells.h"
-#include "scenario/concern_output.h"
 
 #include "base/assertion.h"
 #include "base/math/functions.h"

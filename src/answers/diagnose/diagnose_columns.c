@@ -54,7 +54,6 @@ static bool is_copy(const Search *search, int c, const double *answers)
     return other > 0 && counted > 1;
 }
 
-/* A column that never changes in the right run, as a mass: beside copied ones it identifies no run. */
 bool diagnose_is_still(const Search *search, int c)
 {
     const DiagnoseTable *table = search->table;

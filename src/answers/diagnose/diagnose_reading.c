@@ -11,7 +11,6 @@
 #include "base/wait.h"
 #include "base/text.h"
 #include "problems/problem.h"
-#include "scenario/concern_output.h"
 #include "scenario/concern_bonds.h"
 #include "scenario/concern_time.h"
 

@@ -4,7 +4,6 @@
  * that neither the table nor the messages depend on how many run side by side. */
 #include "base/hash.h"
 #include "base/wait.h"
-#include "base/input.h"
 #include "scenario/settings.h"
 #include "base/output.h"
 #include "base/text.h"

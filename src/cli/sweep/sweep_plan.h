@@ -10,7 +10,6 @@
 #include "base/status.h"
 #include "cli/options.h"
 #include "scenario/parameters.h"
-#include "export/export.h"
 
 #include <stdio.h>
 

@@ -7,7 +7,6 @@
 #include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
-#include "answers/crack_growth.h"
 #include "methods/bonds/cracks/crack_cost.h"
 #include "methods/bonds/cracks/fronts.h"
 #include "theory/frequency.h"
@@ -260,7 +259,6 @@ double quantity_energy_gained(VerifyRun *run, const VerifyRow *row)
 
 /* --- by bisection ---------------------------------------------------------------------------------- */
 
-/* The velocity with which a particle first enters another cell. */
 double quantity_crossing_velocity(VerifyRun *verified, const VerifyRow *row)
 {
     Settings settings = verified->settings;

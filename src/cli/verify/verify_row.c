@@ -3,7 +3,6 @@
 #include "cli/verify/verify.h"
 #include "scenario/concern_output.h"
 #include "base/cancel.h"
-#include "scenario/parameters.h"
 #include "scenario/scenario.h"
 
 #include <math.h>
