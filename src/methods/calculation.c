@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define CALCULATION_SPACE "\u00a0" /* that no line is broken at */
 enum { WORDS_DIGITS = 5 };
 
 CalculationLabel calculation_label(int dimensions, const char *form, int axis, int number)
@@ -164,9 +165,7 @@ static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term
         /* a guard digit or two, so that base and result are not rounded apart */
         const int guard = term_digits - 4 < 3 ? term_digits - 4 : 3;
         base = put(text, sum->base, place_of(sum->base) - last + 1 + (guard > 0 ? guard : 0));
-        if (count > 0 && sum->scale == 0)
-            ;
-        else
+        if (count == 0 || sum->scale != 0)
             calculation_write(text, " +" CALCULATION_SPACE);
     }
     const bool bracket = (sum->scale != 0 || sum->divisor != 0) && count > 1;

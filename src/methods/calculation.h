@@ -9,8 +9,6 @@
 
 #include "methods/method.h"
 
-#define CALCULATION_SPACE "\u00a0" /* that no line is broken at */
-
 enum { CALCULATION_FACTORS_MAX = 3, CALCULATION_TERMS_MAX = 64 };
 
 /* Text that grows to its limit and no further. */

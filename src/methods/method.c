@@ -211,7 +211,8 @@ bool simulation_visit(Simulation *sim, const void *there, void (*look)(Simulatio
     simulation_snapshot(sim, present);
     if (there)
         simulation_restore(sim, there);
-    look(sim, context);
+    if (look)
+        look(sim, context);
     simulation_restore(sim, present);
     free(present);
     return true;
@@ -272,15 +273,9 @@ bool simulation_make_stage(Simulation *sim, int stage, void **before)
     return simulation_stage(sim, NULL);
 }
 
-static void stay(Simulation *sim, void *context)
-{
-    (void)sim;
-    (void)context;
-}
-
 bool simulation_forget_failure(Simulation *sim)
 {
-    return simulation_visit(sim, NULL, stay, NULL);
+    return simulation_visit(sim, NULL, NULL, NULL);
 }
 
 void simulation_report(Simulation *sim, EventKind kind, const char *text)
@@ -431,49 +426,32 @@ static bool same_words(const char *a, const char *b)
     return !*a && !*b;
 }
 
-static int find_set(const Simulation *sim, const char *word)
-{
-    for (int set = 0; set < sim->n_sets; set++)
-        if (strcmp(sim->sets[set].name, word) == 0)
-            return set;
-    return -1;
-}
-
-static int find_field(const Simulation *sim, int set, const char *words)
-{
-    const int by_name = simulation_find_field(sim, set, words);
-    for (int i = 0; i < sim->n_fields && by_name < 0; i++)
-        if (sim->fields[i].set == set && same_words(sim->fields[i].quantity.label, words))
-            return i;
-    return by_name;
-}
-
-static bool refuse_field(const Simulation *sim, int set, const char *words, Status *status)
-{
-    char known[256] = "";
-    for (int i = 0; i < sim->n_fields; i++)
-        if (sim->fields[i].set == set)
-            text_or(known, sizeof known, sim->fields[i].quantity.name);
-    return status_refuse(status, "%.40s is not a field of a %s (%s)", words, sim->sets[set].name, known);
-}
-
+/* "particle 12 velocity": a set, a number, and a field's name or label. */
 static bool find_thing(const Simulation *sim, const char *thing, int *field, size_t *index, Status *status)
 {
-    char word[16] = "";
+    char word[16] = "", known[256] = "";
     unsigned long number = 0;
-    int end = 0;
+    int end = 0, set = 0;
     int digits = 0; /* %lu would take a sign */
     const bool whole = sscanf(thing, "%15s %n%9lu %n", word, &digits, &number, &end) == 2 && end > 0 &&
                        thing[end] && isdigit((unsigned char)thing[digits]);
-    const int set = whole ? find_set(sim, word) : -1;
-    if (set < 0)
+    while (set < sim->n_sets && strcmp(sim->sets[set].name, word) != 0)
+        set++;
+    if (!whole || set == sim->n_sets)
         return status_refuse(status, "\"%.60s\" is nothing to follow (%s NUMBER FIELD, as in %s 0 %s)", thing,
                              sim->sets[0].name, sim->sets[0].name, sim->fields[0].quantity.name);
     if (number >= sim->counts[set])
         return status_refuse(status, "there is no %s %lu (0 to %zu)", word, number, sim->counts[set] - 1);
     *index = number;
-    *field = find_field(sim, set, thing + end);
-    return *field >= 0 || refuse_field(sim, set, thing + end, status);
+    *field = simulation_find_field(sim, set, thing + end);
+    for (int i = 0; i < sim->n_fields && *field < 0; i++) {
+        if (sim->fields[i].set == set && same_words(sim->fields[i].quantity.label, thing + end))
+            *field = i;
+        else if (sim->fields[i].set == set)
+            text_or(known, sizeof known, sim->fields[i].quantity.name);
+    }
+    return *field >= 0 || status_refuse(status, "%.40s is not a field of a %s (%s)", thing + end,
+                                        sim->sets[set].name, known);
 }
 
 bool simulation_asks(const char *names, const char *column)
@@ -554,24 +532,8 @@ bool simulation_follow(Simulation *sim, const char *thing, Status *status)
     return true;
 }
 
-/* --- values ------------------------------------------------------------------------------------------- */
-
-/* The value where the field is ready: now, or after some stages of a step that is then taken back. */
-static double value_of(Simulation *sim, int field, size_t index)
-{
-    const int set = sim->fields[field].set;
-    void *present = sim->follow->present;
-    double value = NAN;
-    if (sim->sets[set].ready_after > 0)
-        simulation_snapshot(sim, present);
-    simulation_make_ready(sim, set); /* a run that fails there will do so by itself, in its own time */
-    sim->method->field(sim, field, index, 1, &value);
-    if (sim->sets[set].ready_after > 0)
-        simulation_restore(sim, present);
-    return value;
-}
-
-/* The method sees its own columns only, for it may go by their number. */
+/* The method sees its own columns only, for it may go by their number. A thing's value is that where its
+ * field is ready: now, or after some stages of a step that is then taken back. */
 static void follow_row(Simulation *sim, double *row)
 {
     const Follow *follow = sim->follow;
@@ -579,8 +541,16 @@ static void follow_row(Simulation *sim, double *row)
     sim->n_series = follow->own;
     sim->method->row(sim, row);
     sim->n_series = all;
-    for (int i = 0; i < follow->count; i++)
-        row[follow->own + i] = value_of(sim, follow->things[i].field, follow->things[i].index);
+    for (int i = 0; i < follow->count; i++) {
+        const int set = sim->fields[follow->things[i].field].set;
+        const bool ahead = sim->sets[set].ready_after > 0;
+        if (ahead)
+            simulation_snapshot(sim, follow->present);
+        simulation_make_ready(sim, set); /* a run that fails there will do so by itself, in its own time */
+        row[follow->own + i] = simulation_value(sim, follow->things[i].field, follow->things[i].index);
+        if (ahead)
+            simulation_restore(sim, follow->present);
+    }
 }
 
 static bool follow_steps(Simulation *sim, long count, double *rows, long *done, Status *status)

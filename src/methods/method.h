@@ -403,8 +403,8 @@ void simulation_snapshot(const Simulation *, void *bytes);
 /* Puts a snapshot of this simulation back; events after it are forgotten, a failure too. */
 void simulation_restore(Simulation *, const void *bytes);
 
-/* Puts a snapshot back (NULL: none, it stays where it is), lets somebody look at that moment and go on from
- * it as he likes, and comes back to the present. False: no memory, nobody has looked. */
+/* Puts a snapshot back (NULL: none, it stays where it is), lets somebody look at that moment (NULL: nobody)
+ * and go on from it as he likes, and comes back to the present. False: no memory, nobody has looked. */
 bool simulation_visit(Simulation *, const void *there, void (*look)(Simulation *, void *context),
                       void *context);
 

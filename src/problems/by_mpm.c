@@ -34,30 +34,23 @@ MpmDef mpm_definition(const Settings *settings, int threads)
 {
     const int concerns = settings->problem->concerns;
     const bool bodies = concerns & CONCERN_BODIES, bar = concerns & CONCERN_MESH;
-    const Geometry *geometry = settings_geometry(settings);
-    const Material *material = settings_material(settings);
-    const Joint *joint = settings_joint(settings);
-    const Mesh *mesh = settings_mesh(settings);
     const Transfer *transfer = settings_transfer(settings);
-    const Start *start = settings_start(settings);
     const Loads *loads = settings_loads(settings);
-    const Motion *motion = settings_motion(settings);
     const Domain *domain = settings_domain(settings);
-    const Contact *contact = settings_contact(settings);
     const double angle = loads->incline * (M_PI / 180), g = loads->gravity;
     MpmDef def = {
         .problem = bodies ? MPM_BODIES
                    : bar  ? MPM_BAR
                           : MPM_BEAM,
-        .length = geometry->length,
-        .height = geometry->height,
-        .thickness = geometry->thickness,
-        .youngs_modulus = material->youngs_modulus,
-        .density = material->density,
-        .poisson = material->poisson,
-        .cell_size = mesh->cell_size,
-        .particles_per_cell = mesh->particles_per_cell,
-        .padding = mesh->padding,
+        .length = settings_geometry(settings)->length,
+        .height = settings_geometry(settings)->height,
+        .thickness = settings_geometry(settings)->thickness,
+        .youngs_modulus = settings_material(settings)->youngs_modulus,
+        .density = settings_material(settings)->density,
+        .poisson = settings_material(settings)->poisson,
+        .cell_size = settings_mesh(settings)->cell_size,
+        .particles_per_cell = settings_mesh(settings)->particles_per_cell,
+        .padding = settings_mesh(settings)->padding,
         .algorithm = transfer->algorithm,
         .shape = transfer->shape,
         .transfer = transfer->transfer,
@@ -71,10 +64,10 @@ MpmDef mpm_definition(const Settings *settings, int threads)
         .cancel = settings->cancel,
 
         .supports = settings_supports(settings)->ends,
-        .joint = joint->place,
-        .joint_modulus = joint->beyond.youngs_modulus,
-        .joint_density = joint->beyond.density,
-        .offset = start->offset,
+        .joint = settings_joint(settings)->place,
+        .joint_modulus = settings_joint(settings)->beyond.youngs_modulus,
+        .joint_density = settings_joint(settings)->beyond.density,
+        .offset = settings_start(settings)->offset,
         .body_force = loads->body_force,
         .traction = loads->traction,
         .traction_layer = loads->traction_layer,
@@ -82,24 +75,25 @@ MpmDef mpm_definition(const Settings *settings, int threads)
         .mass_blend = transfer->mass_blend,
 
         .leaves_channel = concerns & CONCERN_MOTION,
-        .grid_velocity = mesh->velocity,
-        .amplitude = start->amplitude,
-        .start = start->start,
-        .stress = start->stress,
+        .grid_velocity = settings_mesh(settings)->velocity,
+        .amplitude = settings_start(settings)->amplitude,
+        .start = settings_start(settings)->start,
+        .stress = settings_start(settings)->stress,
         .ends = settings_supports(settings)->sections,
-        .speed = motion->speed,
-        .channel = motion->channel,
-        .clamp = motion->clamp,
+        .speed = settings_motion(settings)->speed,
+        .channel = settings_motion(settings)->channel,
+        .clamp = settings_motion(settings)->clamp,
         .end = settings_time(settings)->end,
 
         .walls = {domain->left, domain->right, domain->bottom, domain->top},
         .wall_friction = domain->friction,
         .n_bodies = settings->rows[ROWS_BODIES].count,
-        .law = material->law,
-        .plane = material->plane,
-        .fields = contact->fields,
-        .friction = contact->friction,
-        .gap = contact->gap == CONTACT_GAP_OFF ? INFINITY : contact->gap,
+        .law = settings_material(settings)->law,
+        .plane = settings_material(settings)->plane,
+        .fields = settings_contact(settings)->fields,
+        .friction = settings_contact(settings)->friction,
+        .gap =
+            settings_contact(settings)->gap == CONTACT_GAP_OFF ? INFINITY : settings_contact(settings)->gap,
         .gravity = {angle != 0 ? g * math_sin(angle) : 0, -g * math_cos(angle)},
         .damping = settings_damping(settings)->rate,
     };

@@ -20,12 +20,7 @@ static HangingColumn column_of(const Settings *settings)
                            .body_force = settings_loads(settings)->body_force};
 }
 
-static const HangingColumn *own_column(const References *refs)
-{
-    return refs->own;
-}
-
-ANSWER(exact_x_cm, hanging_column_centre(own_column(refs)))
+ANSWER(exact_x_cm, hanging_column_centre(refs->own))
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
 {
@@ -41,7 +36,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
 
 static double profile(const References *refs, const char *field, double x, double time)
 {
-    const HangingColumn *column = own_column(refs);
+    const HangingColumn *column = refs->own;
     (void)time;
     if (!(x >= 0 && x <= column->length))
         return NAN;
@@ -64,7 +59,7 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
 
 static int findings(const References *refs, const Simulation *sim, Finding *out)
 {
-    const HangingColumn *column = own_column(refs);
+    const HangingColumn *column = refs->own;
     const size_t last = sim->counts[0] - 1;
     out[0] = (Finding){.name = "u_last",
                        .label = "last particle's u",

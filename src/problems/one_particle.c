@@ -52,16 +52,11 @@ static Simulation *simulate(const Settings *settings, int threads, Status *statu
     return mpm_create(&def, status);
 }
 
-static const Oscillator *oscillator_of(const References *refs)
-{
-    return refs->own;
-}
-
 static double exact_v_cm(References *refs, long step, double time, const double *row)
 {
     double strain, velocity;
     (void)step, (void)row;
-    oscillator_at(oscillator_of(refs), time, &strain, &velocity);
+    oscillator_at(refs->own, time, &strain, &velocity);
     return velocity;
 }
 
@@ -69,8 +64,8 @@ static double exact_x_cm(References *refs, long step, double time, const double 
 {
     double strain, velocity;
     (void)step, (void)row;
-    oscillator_at(oscillator_of(refs), time, &strain, &velocity);
-    return oscillator_of(refs)->cell / 2 * math_exp(strain);
+    oscillator_at(refs->own, time, &strain, &velocity);
+    return ((const Oscillator *)refs->own)->cell / 2 * math_exp(strain);
 }
 
 static bool prepare(References *refs, const Settings *settings, const Simulation *sim, Status *status)
@@ -92,7 +87,7 @@ static bool prepare(References *refs, const Settings *settings, const Simulation
 /* The cell has the one particle's strain, and moves with it in the middle. */
 static double profile(const References *refs, const char *field, double x, double time)
 {
-    const Oscillator *oscillator = oscillator_of(refs);
+    const Oscillator *oscillator = refs->own;
     double strain, velocity;
     oscillator_at(oscillator, time, &strain, &velocity);
     const double u = oscillator->cell / 2 * math_expm1(strain);
@@ -107,7 +102,7 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
 {
     enum { HARMONICS = 5 };
     static const double ratios[HARMONICS] = {1, 2, 3, 4, 5};
-    const Oscillator *oscillator = oscillator_of(refs);
+    const Oscillator *oscillator = refs->own;
     out->column = "v_cm";
     out->moving = oscillator->velocity != 0;
     if (!out->moving)
@@ -120,7 +115,7 @@ static void read_out(const References *refs, const double *rows, size_t n_rows, 
 /* What the motion keeps, as a share of what it was. */
 static int findings(const References *refs, const Simulation *sim, Finding *out)
 {
-    const Oscillator *oscillator = oscillator_of(refs);
+    const Oscillator *oscillator = refs->own;
     const double strain = simulation_named(sim, 0, "strain", 0), velocity = simulation_named(sim, 0, "v", 0);
     if (oscillator->velocity == 0)
         return 0;

@@ -2,7 +2,6 @@
 /* Lines, groups, tips, branches and paths of the cracks of a plate (front_shape.h, fronts.h). */
 #include "methods/bonds/cracks/front_shape.h"
 
-#include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/bonds/cracks/crack.h"
 
@@ -19,21 +18,17 @@ static int front_lines(const Beam *beam, int axis)
 
 double front_place(const Beam *beam, int axis, int line)
 {
-    ASSERT_INDEX(line, front_lines(beam, axis));
     return axis == 0 ? lattice_x(&beam->lattice, line) : lattice_y(&beam->lattice, line);
 }
 
 static size_t front_node(const Beam *beam, int axis, int line, int across)
 {
-    ASSERT_INDEX(line, front_lines(beam, axis));
-    ASSERT_INDEX(across, front_lines(beam, 1 - axis));
     return axis == 0 ? lattice_node(&beam->lattice, line, across)
                      : lattice_node(&beam->lattice, across, line);
 }
 
 int front_line_of(const Beam *beam, int axis, size_t node)
 {
-    ASSERT_INDEX(node, lattice_nodes(&beam->lattice));
     return (axis == 0 ? lattice_column : lattice_row)(&beam->lattice, node);
 }
 
@@ -52,8 +47,6 @@ static bool front_has_line(const Beam *beam, const CrackFront *front, int line)
 
 int front_groups(const Growth *growth, int front, int line, Group groups[FRONT_GROUPS_MAX])
 {
-    ASSERT_INDEX(front, growth->fronts->count);
-    ASSERT_INDEX(line, growth->lines);
     const Beam *beam = growth->beam;
     const int axis = growth->fronts->fronts[front].axis;
     const int across = front_lines(beam, 1 - axis);
@@ -91,7 +84,6 @@ static bool touch(const Group *a, const Group *b)
  * itself or nothing has come farther. */
 void front_find_tips(const Growth *growth, int f)
 {
-    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     CrackFront *front = &growth->fronts->fronts[f];
     Group before[FRONT_GROUPS_MAX], now[FRONT_GROUPS_MAX];
@@ -126,7 +118,6 @@ void front_find_tips(const Growth *growth, int f)
 
 bool front_find_lines(const Growth *growth, int f)
 {
-    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     CrackFront *front = &growth->fronts->fronts[f];
     front->away = malloc(2 * ((size_t)growth->lines + 1) * sizeof *front->away);
@@ -152,8 +143,6 @@ bool front_find_lines(const Growth *growth, int f)
 
 double crack_fronts_angle(const CrackFront *front, double reach)
 {
-    ASSERT_INDEX(front->axis, 2);
-    ASSERT_REAL(reach, >, 0);
     const double one =
                      front->branched ? fabs(front->branch[front->axis] - front->end[front->axis]) : INFINITY,
                  last = fmin(front->beside + reach, one);
@@ -198,7 +187,6 @@ static double half_angle(const Growth *growth, int f, int from)
 
 void front_find_branch(const Growth *growth, int f)
 {
-    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     CrackFront *front = &growth->fronts->fronts[f];
     const int32_t *split = growth->split + (size_t)f * (size_t)growth->lines;
@@ -265,7 +253,6 @@ static bool add_path(const Growth *growth, int f, const double start[2], int fro
 
 bool front_find_paths(const Growth *growth, int f)
 {
-    ASSERT_INDEX(f, growth->fronts->count);
     const Beam *beam = growth->beam;
     const CrackFront *front = &growth->fronts->fronts[f];
     const int first = front_first_line(beam, front), none = -2;

@@ -224,20 +224,6 @@ static void deal(Growth *growth)
 
 /* --- how far it has come --------------------------------------------------------------------- */
 
-/* A line can only have come apart where a node of it has cracked. */
-static void look_for_splits(Growth *growth, int32_t step)
-{
-    Group groups[FRONT_GROUPS_MAX];
-    for (size_t k = 0; k < growth->n_touched; k++) {
-        const uint32_t at = growth->touched[k];
-        const int f = (int)(at / (uint32_t)growth->lines), line = (int)(at % (uint32_t)growth->lines);
-        growth->is_touched[at] = 0;
-        if (growth->split[at] < 0 && front_groups(growth, f, line, groups) > 1)
-            growth->split[at] = step;
-    }
-    growth->n_touched = 0;
-}
-
 static void go_through(Growth *growth)
 {
     const Beam *beam = growth->beam;
@@ -265,8 +251,17 @@ static void go_through(Growth *growth)
             front->begun = true;
             front->advance = fmax(front->advance, advance);
         }
+        /* a line can only have come apart where a node of it has cracked */
+        for (size_t k = 0; step % CRACK_FRONT_LOOK == 0 && k < growth->n_touched; k++) {
+            const uint32_t at = growth->touched[k];
+            const int f = (int)(at / (uint32_t)growth->lines), line = (int)(at % (uint32_t)growth->lines);
+            Group groups[FRONT_GROUPS_MAX];
+            growth->is_touched[at] = 0;
+            if (growth->split[at] < 0 && front_groups(growth, f, line, groups) > 1)
+                growth->split[at] = (int32_t)step;
+        }
         if (step % CRACK_FRONT_LOOK == 0)
-            look_for_splits(growth, (int32_t)step);
+            growth->n_touched = 0;
         for (int f = 0; step % every == 0 && f < fronts->count; f++)
             fronts->fronts[f].advances[step / every] = fronts->fronts[f].advance;
     }

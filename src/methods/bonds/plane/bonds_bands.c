@@ -37,7 +37,6 @@ static double *halo_row(const Beam *beam, int band, int component, int row)
  * itself or the halo. */
 void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     const int band = beam->band_of_row[j], first = beam->band_first[band], end = beam->band_first[band + 1];
     if (j == first) { /* f of the band's own rows and its halo, by the thread that computes them */
         const size_t stride = beam->lattice.stride, bytes = stride * sizeof(double);
@@ -65,7 +64,6 @@ void beam_bonds_of_row(Beam *beam, int j, BondLog *log, bool with_energy)
  */
 void beam_add_halos(Beam *beam, int j)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     int own = beam->band_of_row[j], rise = beam->lattice.rise;
     for (int band = j > rise ? beam->band_of_row[j - rise] : 0; band < own; band++) {

@@ -187,9 +187,6 @@ static bool start(Beam *beam, Status *status)
     return true;
 }
 
-static const char *const on_request[] = {"momentum",   "reaction",   "momentum_x", "momentum_y",
-                                         "reaction_x", "reaction_y", NULL};
-
 static const Method beam_method = {
     .name = "pd",
     .title = "peridynamics",
@@ -197,7 +194,8 @@ static const Method beam_method = {
     .stage = beam_stage,
     .steps = beam_steps,
     .row = beam_row,
-    .on_request = on_request,
+    .on_request = (const char *const[]){"momentum", "reaction", "momentum_x", "momentum_y", "reaction_x",
+                                        "reaction_y", NULL},
     .field = beam_field,
     .links = beam_links,
     .exchange = beam_exchange,
@@ -234,8 +232,10 @@ static bool build(Beam *beam, const BeamOptions *options, Status *status)
         beam->facts.real_span = def->length;
     beam->facts.family = 2 * (size_t)lattice->n_offsets;
     beam->facts.bonds = lattice_bonds(lattice);
-    if (lattice->line)
-        bonds_line_set_facts(beam);
+    if (lattice->line) {
+        beam->facts.modulus = lattice->micromodulus * lattice_moment(lattice);
+        beam->facts.end_factor = lattice->factor_x[def->right_fixed ? 0 : lattice_nodes(lattice) - 1];
+    }
     beam_set_stages(beam);
     beam->sim.stage_items = (size_t)lattice->ny;
     beam_set_series(beam);

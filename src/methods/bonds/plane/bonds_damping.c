@@ -85,7 +85,6 @@ bool beam_set_damping(Beam *beam, Status *status)
 
 void beam_brake(Beam *beam, int j, bool second)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     const size_t row = lattice_at(&beam->lattice, 0, j), nx = (size_t)beam->lattice.nx;
     const double half = beam->damping * beam->sim.dt / 2, keep = second ? 1 / (1 + half) : 1 - half;
     const double ahead = beam->sim.common_speed;
@@ -100,7 +99,6 @@ void beam_brake(Beam *beam, int j, bool second)
  */
 void beam_note_speeds(Beam *beam, int j)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     const size_t row = lattice_at(&beam->lattice, 0, j), count = beam->lattice.columns;
     const double *vx = beam->nodes.vx + row, *vy = beam->nodes.vy + row;
     const double ahead = beam->sim.common_speed;
@@ -131,7 +129,6 @@ void beam_add_speeds(Beam *beam)
 
 void beam_weigh(Beam *beam, int j)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     const double force = beam_weight(beam);
     const size_t row = lattice_at(&beam->lattice, beam->lattice.images[0], j);
     const size_t wide = (size_t)lattice_wide(&beam->lattice);

@@ -142,7 +142,6 @@ Simulation *beam_create_with(const BeamDef *definition, const BeamOptions *optio
 /* bonds_line.c: what a bar has alone. */
 void bonds_line_complete(
     BeamDef *); /* what does not count, and a spacing of which the length is a multiple */
-void bonds_line_set_facts(Beam *);
 void bonds_line_set_loads(Beam *);
 void bonds_line_mirror(Beam *); /* u of mirrored nodes, u(-X) = -u(X) */
 double bonds_line_energy_of_images(

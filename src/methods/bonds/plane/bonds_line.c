@@ -26,14 +26,6 @@ void bonds_line_complete(BeamDef *def)
     def->spacing = def->length / round(def->length / def->spacing);
 }
 
-void bonds_line_set_facts(Beam *beam)
-{
-    const Lattice *lattice = &beam->lattice;
-    const size_t last = beam->def.right_fixed ? 0 : lattice_nodes(lattice) - 1;
-    beam->facts.modulus = lattice->micromodulus * lattice_moment(lattice);
-    beam->facts.end_factor = lattice->factor_x[last];
-}
-
 /* t/layer in the layer at each free end, outwards; a short bar's node may lie in both. t is live. */
 void bonds_line_set_loads(Beam *beam)
 {

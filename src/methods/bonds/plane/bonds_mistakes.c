@@ -239,7 +239,6 @@ BondNow beam_bond(const Beam *beam, BondPlace place)
 void bonds_forces_of_row(Beam *beam, int j, double *const *fx, double *const *fy, BondLog *log,
                          double *energy)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     const Lattice *lattice = &beam->lattice;
     double sum = 0;
     for (int o = 0; o < lattice->n_offsets; o++) {

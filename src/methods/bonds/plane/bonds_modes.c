@@ -121,19 +121,6 @@ static bool find_sag(const Cholesky *factor, const Model *model, const bool *hel
     return true;
 }
 
-static void hold(const Model *model, bool *held)
-{
-    const Lattice *lattice = model->lattice;
-    for (const Support *s = model->supports; s < model->supports + model->n_supports; s++)
-        for (int i = s->patch.i; i < s->patch.i + s->patch.columns; i++)
-            for (int j = s->patch.j; j < s->patch.j + s->patch.rows; j++) {
-                held[unknown(lattice, i, j, 0)] |= s->x;
-                held[unknown(lattice, i, j, 1)] |= s->y;
-            }
-    for (size_t i = 0; i < 2 * (size_t)model->held_columns * (size_t)lattice->ny; i++)
-        held[i] = true;
-}
-
 /* T = 2 pi/sqrt(lambda/rho), and the sag of a beam's probe (NULL: not wanted). They stay NAN where nothing
  * holds the body, where two lowest periods are too close to be distinguished, or where the band would take
  * more than BEAM_MODES_NUMBERS_MAX doubles. False: no memory, or interrupted. */
@@ -156,7 +143,14 @@ static bool solve(const Model *model, const Beam *probed, BeamLinear *out, Statu
     if (!done)
         status_fail(status, "not enough memory for the predicted period");
     if (done) {
-        hold(model, held);
+        for (const Support *s = model->supports; s < model->supports + model->n_supports; s++)
+            for (int k = 0; k < s->patch.columns * s->patch.rows; k++) {
+                const int i = s->patch.i + k / s->patch.rows, j = s->patch.j + k % s->patch.rows;
+                held[unknown(lattice, i, j, 0)] |= s->x;
+                held[unknown(lattice, i, j, 1)] |= s->y;
+            }
+        for (size_t i = 0; i < 2 * (size_t)model->held_columns * (size_t)lattice->ny; i++)
+            held[i] = true;
         fill(model, held, vectors);
         const CholeskyEnd end =
             assemble(&band, model, held) ? cholesky_factor(&band, model->cancel) : CHOLESKY_GIVEN_UP;

@@ -12,21 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The notch is a cut from below. */
-static void set_cuts(Beam *beam)
-{
-    const BeamDef *def = &beam->def;
-    if (beam->free_body)
-        return;
-    if (def->problem == BEAM_PLATE) {
-        memcpy(beam->cuts, def->plate.cuts, sizeof beam->cuts);
-        beam->n_cuts = def->plate.n_cuts;
-    } else if (def->problem == BEAM_NOTCHED && def->notch_depth > 0) {
-        beam->cuts[beam->n_cuts++] =
-            (PlateCut){"", def->notch_position, 0, def->notch_position, def->notch_depth};
-    }
-}
-
 /* Every bond of the lattice gets its coefficient c G w V (eq. 8), N/m^3 per unit stretch, a cut one 0 and its
  * bit: the notch's bonds are broken from the start, and distinguished from those that break in the run.
  * False: interrupted. */
@@ -35,7 +20,14 @@ bool beam_set_bonds(Beam *beam, Status *status)
     const Lattice *lattice = &beam->lattice;
     const double bonds = (double)lattice_bonds(lattice);
     size_t number = 0;
-    set_cuts(beam);
+    const BeamDef *def = &beam->def;
+    if (def->problem == BEAM_PLATE && !beam->free_body) {
+        memcpy(beam->cuts, def->plate.cuts, sizeof beam->cuts);
+        beam->n_cuts = def->plate.n_cuts;
+    } else if (def->problem == BEAM_NOTCHED && def->notch_depth > 0 &&
+               !beam->free_body) /* a cut from below */
+        beam->cuts[beam->n_cuts++] =
+            (PlateCut){"", def->notch_position, 0, def->notch_position, def->notch_depth};
     for (BondPlace bond = lattice_next_bond(lattice, (BondPlace){0, 0, -1}); bond.j < lattice->ny;
          bond = lattice_next_bond(lattice, bond), number++) {
         const double share = BUILDING_BONDS + (BUILDING_CRITICAL - BUILDING_BONDS) * (double)number / bonds;

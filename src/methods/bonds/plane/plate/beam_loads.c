@@ -108,7 +108,6 @@ double beam_load_on(const Simulation *sim, size_t node, int axis)
 
 double beam_own_power(const Beam *beam, int j)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     const size_t row = lattice_at(&beam->lattice, beam->lattice.images[0], j);
     const size_t wide = (size_t)lattice_wide(&beam->lattice);
     const double *const v[2] = {beam->nodes.vx + row, beam->nodes.vy + row};
@@ -123,7 +122,6 @@ double beam_own_power(const Beam *beam, int j)
 /* Adds the loads on row j at that time to f (NULL: nowhere); returns their power, W/m^3. */
 static double loads_of_row(const Beam *beam, int j, double time, double *f)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     double power = 0;
     for (const Load *load = beam->loads; load < beam->loads + beam->n_loads; load++) {
         double force[2];
@@ -204,14 +202,12 @@ void beam_note_work(Beam *beam, int j, long step)
 
 void beam_note_reaction(Beam *beam, int j)
 {
-    ASSERT_INDEX(j, beam->lattice.ny);
     beam->row_work[2 * j + 1] =
         -moved_power(beam, j) / 2 * beam_volume(beam) * beam->def.thickness * beam->sim.dt;
 }
 
 void beam_add_work(Beam *beam, int half)
 {
-    ASSERT_INDEX(half, 2);
     for (int j = 0; j < beam->lattice.ny; j++) {
         beam->head->work += beam->row_work[2 * j + half];
         beam->row_work[2 * j + half] = 0;
