@@ -99,12 +99,6 @@ static int place_of(double value)
     return value == 0 ? 0 : (int)floor(math_log10(fabs(value)));
 }
 
-/* A sum as it is printed with so many digits, and what the printed numbers come to. */
-typedef struct Attempt {
-    Calculation text;
-    double value;
-} Attempt;
-
 static double put(Calculation *text, double value, int digits)
 {
     const NumberText number = text_rounded(value, digits < 1 ? 1 : digits > 15 ? 15 : digits);
@@ -154,10 +148,11 @@ static int last_place(const CalculationSum *sum, int digits)
 }
 
 /* Terms that are products each keep so many digits, terms that are single numbers the same last place: they
- * are in a column in the student's exercise book. */
-static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term_digits, int result_digits)
+ * are in a column in the student's exercise book. Returns by how many of the result's last places the printed
+ * numbers miss it. */
+static double attempt(Calculation *text, const CalculationSum *sum, int shown, int term_digits,
+                      int result_digits)
 {
-    Calculation *text = &try->text;
     const int last = last_place(sum, result_digits), count = sum->count;
     double total = 0, base = 0;
     calculation_write(text, "%s", sum->label);
@@ -205,7 +200,7 @@ static void attempt(Attempt *try, const CalculationSum *sum, int shown, int term
     const double result = put(text, zero, place_of(zero) - last + 1);
     if (sum->unit)
         calculation_write(text, CALCULATION_SPACE "%s", sum->unit);
-    try->value = (base + scale * total - result) / math_pow(10, last);
+    return (base + scale * total - result) / math_pow(10, last);
 }
 
 enum { LINE_MAX = 4096 };
@@ -226,10 +221,10 @@ void calculation_sum(Calculation *calculation, const CalculationSum *sum)
     for (int result = wanted; result >= LEAST; result--) {
         const int most = 6 + (wanted - result) + (result == LEAST ? CANCELLED : 0);
         for (int term = sum->count > 1 ? 4 : 5; term <= most; term++) {
-            Attempt try = {.value = 0};
-            calculation_open(&try.text, line, sizeof line, 0);
-            attempt(&try, sum, shown, term, result);
-            if (fabs(try.value) <= 0.5 * (1 + 1e-6) || (result == LEAST && term == most)) {
+            Calculation text;
+            calculation_open(&text, line, sizeof line, 0);
+            const double off = attempt(&text, sum, shown, term, result);
+            if (fabs(off) <= 0.5 * (1 + 1e-6) || (result == LEAST && term == most)) {
                 calculation_write(calculation, "%s\n", line);
                 return;
             }

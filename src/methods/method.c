@@ -320,6 +320,14 @@ void simulation_lay(Simulation *sim, size_t columns, size_t rows, double spacing
     }
 }
 
+void simulation_add_column(Simulation *sim, int entry, Quantity quantity)
+{
+    ASSERT_INDEX(sim->n_series, SIMULATION_SERIES_MAX);
+    sim->series = sim->series_own;
+    sim->series_entry[sim->n_series] = entry;
+    sim->series_own[sim->n_series++] = quantity;
+}
+
 int simulation_find_field(const Simulation *sim, int set, const char *name)
 {
     ASSERT_INDEX(set, sim->n_sets);
@@ -483,7 +491,7 @@ void simulation_ask_columns(Simulation *sim, const char *names)
             !simulation_asks(names, sim->series[i].name))
             continue;
         if (count < i) {
-            sim->series_asked[count] = sim->series[i];
+            sim->series_own[count] = sim->series_own[i];
             sim->series_entry[count] = sim->series_entry[i];
         }
         count++;

@@ -91,7 +91,7 @@ typedef struct StageWords {
 bool stage_when(unsigned when, unsigned run, const unsigned *groups);
 Stage stage_words(const StageWords *, size_t count, int stage, unsigned run, const unsigned *groups);
 
-enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_DIMENSIONS_MAX = 2 };
+enum { SIMULATION_EVENTS_MAX = 256, SIMULATION_SERIES_MAX = 112, SIMULATION_DIMENSIONS_MAX = 2 };
 
 /* What a simulation has: bits of Simulation.has. */
 enum {
@@ -297,9 +297,9 @@ struct Simulation {
 
     const Quantity *series;
     int n_series;
-    Quantity *series_asked; /* where some are on request: the same, and which of the method's each is; for */
-    int *series_entry;      /* simulation_ask_columns(); else NULL */
-    struct Follow *follow;  /* things that are followed, behind the method's own series; NULL: none */
+    Quantity series_own[SIMULATION_SERIES_MAX]; /* of the method, and which of its columns each is */
+    int series_entry[SIMULATION_SERIES_MAX];
+    struct Follow *follow; /* things that are followed, behind the method's own series; NULL: none */
 
     unsigned has; /* HAS_... */
 
@@ -433,6 +433,9 @@ bool simulation_fail(Simulation *, Status *, const char *format, ...) __attribut
 /* For methods, whose fields are listed: set 0 lies in these columns and rows, so far apart. Its motion is in
  * the fields x0, u, v of a line, in x0, ux, vx and y0, uy, vy of the plane. */
 void simulation_lay(Simulation *, size_t columns, size_t rows, double spacing, int dimensions);
+
+/* For methods: one more column of the series, which of its own it is. */
+void simulation_add_column(Simulation *, int entry, Quantity);
 
 /* One value of a field, by its index or its name; NAN: there is no such field (-1). */
 double simulation_value(const Simulation *, int field, size_t index);

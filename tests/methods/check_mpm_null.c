@@ -93,7 +93,7 @@ static void expect_null(Simulation *sim, int how)
 {
     const Mpm *mpm = mpm_of_const(sim);
     const int column = simulation_find_series(sim, "kinetic_null");
-    double row[MPM_SERIES];
+    double row[SIMULATION_SERIES_MAX];
     simulation_row(sim, row);
     const double all = row[simulation_find_series(sim, "kinetic")], expected = reference(mpm);
     const double off = fabs(sqrt(row[column]) - sqrt(expected)), allowed = how < TOGETHER ? 1e-14 : 1e-11;

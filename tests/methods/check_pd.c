@@ -251,7 +251,7 @@ static void same_with(const BeamDef *def, const BeamOptions *options, const char
     BeamDef one = *def;
     one.threads = 1;
     Simulation *straight = beam_case_create(&one, NULL), *sim = beam_case_create(def, options);
-    double rows[2][60 * BEAM_SERIES_MAX];
+    double rows[2][60 * SIMULATION_SERIES_MAX];
     Status status = {0};
     for (int round = 0; round < 8; round++) {
         ck_assert(simulation_steps(straight, 50, NULL, NULL, &status));
@@ -362,7 +362,7 @@ START_TEST(watching_leaves_no_trace)
 {
     Simulation *straight = _i ? breaking_plate() : cracking(), *sim = _i ? breaking_plate() : cracking();
     const double broken = series_now(sim, "broken_bonds");
-    double rows[(LATER - CRACKING) * BEAM_SERIES_MAX], row[BEAM_SERIES_MAX];
+    double rows[(LATER - CRACKING) * SIMULATION_SERIES_MAX], row[SIMULATION_SERIES_MAX];
     Status status = {0};
     long done = 0;
     ck_assert(simulation_steps(sim, LATER - CRACKING, rows, &done, &status));

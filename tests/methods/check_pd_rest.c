@@ -31,7 +31,7 @@ static BeamDef half_millimetre(void)
 
 static double of_series(Simulation *sim, const char *name)
 {
-    double row[BEAM_SERIES_MAX];
+    double row[SIMULATION_SERIES_MAX];
     const int k = simulation_find_series(sim, name);
     ck_assert_int_ge(k, 0);
     simulation_row(sim, row);

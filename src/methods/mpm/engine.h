@@ -33,7 +33,6 @@ enum {
     MPM_STRESSES = 3, /* of a line one; in the plane xx, yy, xy */
     MPM_REACH_MAX = SHAPE_SUPPORT_MAX - 1,
     MPM_FIELDS = 40,
-    MPM_SERIES = 112,
     BODIES_PADDING = 4,     /* empty cells all around the box of bodies */
     BODIES_CHUNK_CELLS = 4, /* rows of cells whose particles are worked on together */
     BODY_COLUMNS = 5,       /* of the series, for each body; then, to ask for: */
@@ -152,9 +151,6 @@ typedef struct Mpm {
     Exchange exchanges[MPM_TERMS];
     MpmExchange terms[MPM_TERMS]; /* the same */
     Field fields[MPM_FIELDS];     /* those that there are at present */
-    Quantity series[MPM_SERIES];  /* those that are not left out, and which each of them is */
-    int series_entry[MPM_SERIES];
-
     /* model: constant */
     MpmDef def;
     bool bodies;    /* it has bodies, else it is a beam or a bar */

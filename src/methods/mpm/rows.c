@@ -296,12 +296,6 @@ static const struct {
 };
 enum { COLUMNS = sizeof columns / sizeof *columns }; /* from here on BODY_TOUCHING + 1 entries of each body */
 
-static void add_column(Mpm *mpm, int entry, const Quantity *quantity)
-{
-    mpm->series_entry[mpm->sim.n_series] = entry;
-    mpm->series[mpm->sim.n_series++] = *quantity;
-}
-
 static void add_column_of_body(Mpm *mpm, int body, int k)
 {
     static const struct {
@@ -317,8 +311,8 @@ static void add_column_of_body(Mpm *mpm, int body, int k)
     memcpy(of, mpm->def.bodies[body].name, sizeof of);
     snprintf(name, sizeof mpm->column_names[body][k], "%s.%s", of, of_body[k].name);
     snprintf(meaning, sizeof mpm->column_meanings[body][k], "%s%s", of_body[k].meaning, of);
-    add_column(mpm, COLUMNS + body * (BODY_TOUCHING + 1) + k,
-               &(Quantity){name, name, of_body[k].unit, meaning});
+    simulation_add_column(&mpm->sim, COLUMNS + body * (BODY_TOUCHING + 1) + k,
+                          (Quantity){name, name, of_body[k].unit, meaning});
 }
 
 void mpm_set_series(Mpm *mpm)
@@ -330,7 +324,7 @@ void mpm_set_series(Mpm *mpm)
             (value != reaction_x || mpm->dim == 2 || mpm->fixed_left > 0 || mpm->fixed_right > 0) &&
             (value != length || mpm->def.leaves_channel) &&
             (value != kinetic_null || mpm->dim == 1 || plane_null_pays(mpm)))
-            add_column(mpm, k, &columns[k].quantity);
+            simulation_add_column(&mpm->sim, k, columns[k].quantity);
     }
     for (int body = 0; body < n; body++)
         for (int k = 0; k < BODY_COLUMNS; k++)
@@ -338,8 +332,6 @@ void mpm_set_series(Mpm *mpm)
     /* of bodies in one field nothing shows which of them acts */
     for (int body = 0; body < n && (n == 1 || mpm->n_fields > 1); body++)
         add_column_of_body(mpm, body, BODY_TOUCHING);
-    mpm->sim.series = mpm->sim.series_asked = mpm->series;
-    mpm->sim.series_entry = mpm->series_entry;
 }
 
 const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_null", "momentum",   "reaction",
@@ -348,7 +340,7 @@ const char *const mpm_on_request[] = {"x_cm_rate",  "kinetic_grid", "kinetic_nul
 static bool has_column(const Mpm *mpm, double (*value)(const Now *))
 {
     for (int k = 0; k < mpm->sim.n_series && !mpm->bodies; k++)
-        if (columns[mpm->series_entry[k]].value == value)
+        if (columns[mpm->sim.series_entry[k]].value == value)
             return true;
     return false;
 }
@@ -412,13 +404,13 @@ void mpm_write_row(const Mpm *mpm, double *row, bool whole)
     if (!mpm->bodies) {
         const Now now = {mpm, energies_of(mpm), whole};
         for (int k = 0; k < mpm->sim.n_series; k++)
-            row[k] = columns[mpm->series_entry[k]].value(&now);
+            row[k] = columns[mpm->sim.series_entry[k]].value(&now);
         return;
     }
     const uint32_t *const touching = mpm->head->touching;
     mpm_row_of_bodies(&mpm->sim, row);
     for (int k = BODIES_X + mpm->def.n_bodies * BODY_COLUMNS; k < mpm->sim.n_series; k++) {
-        const int body = (mpm->series_entry[k] - COLUMNS) / (BODY_TOUCHING + 1);
+        const int body = (mpm->sim.series_entry[k] - COLUMNS) / (BODY_TOUCHING + 1);
         bool any = touching[body] != 0;
         for (int other = 0; other < body; other++)
             any = any || touching[other] >> body & 1;

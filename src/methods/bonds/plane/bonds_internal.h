@@ -24,8 +24,6 @@ enum {
 /* See bonds_fields.c. */
 enum { SET_PARTICLE, SET_BOND, N_SETS };
 
-enum { BEAM_SERIES_MAX = 28 }; /* columns of all problems */
-
 /* The head of the state: single numbers that change. */
 enum { CRACK_TIPS = 64 };
 typedef struct StateHead {
@@ -60,9 +58,7 @@ typedef struct Beam {
     BondSystem system;
     const BondKernels *kernels;
     BeamFacts facts;
-    Quantity series[BEAM_SERIES_MAX]; /* of this problem */
-    int series_entry[BEAM_SERIES_MAX];
-    Stage stages[N_STAGES];                        /* likewise */
+    Stage stages[N_STAGES];                        /* of this problem */
     Exchange exchanges[SIMULATION_DIMENSIONS_MAX]; /* likewise */
     ForceWords force_words;                        /* of the stage that adds what acts from outside */
 

@@ -127,7 +127,7 @@ typedef struct SeriesEntry {
 
 enum { ALL = 1 << BEAM_SIMPLY_SUPPORTED | 1 << BEAM_MOVING_CANTILEVER | 1 << BEAM_NOTCHED | 1 << BEAM_PLATE };
 
-static const SeriesEntry series[BEAM_SERIES_MAX] = {
+static const SeriesEntry series[] = {
     {{AXIAL_V_CM}, v_cm, 1 << BEAM_BAR},
     {{AXIAL_X_CM}, x_cm, 1 << BEAM_BAR},
     {{AXIAL_KINETIC}, beam_kinetic, 1 << BEAM_BAR},
@@ -178,7 +178,7 @@ void beam_row(Simulation *sim, double *out)
     ASSERT_INT(sim->stage, ==, 0);
     Beam *beam = (Beam *)sim;
     for (int k = 0; k < sim->n_series; k++)
-        out[k] = series[beam->series_entry[k]].value(beam);
+        out[k] = series[sim->series_entry[k]].value(beam);
 }
 
 void beam_set_series(Beam *beam)
@@ -186,13 +186,9 @@ void beam_set_series(Beam *beam)
     Simulation *sim = &beam->sim;
     const bool held = beam->lattice.line ? beam->def.left_fixed || beam->def.right_fixed
                                          : beam->n_supports > 0 || beam_held_columns(beam, 0) > 0;
-    for (int k = 0; k < BEAM_SERIES_MAX; k++)
+    for (int k = 0; k < (int)(sizeof series / sizeof *series); k++)
         if ((series[k].problems >> beam->def.problem & 1) &&
             (series[k].value != damped || beam->damping > 0) &&
-            (held || (series[k].value != reaction_x && series[k].value != reaction_y))) {
-            beam->series_entry[sim->n_series] = k;
-            beam->series[sim->n_series++] = series[k].quantity;
-        }
-    sim->series = sim->series_asked = beam->series;
-    sim->series_entry = beam->series_entry;
+            (held || (series[k].value != reaction_x && series[k].value != reaction_y)))
+            simulation_add_column(sim, k, series[k].quantity);
 }
