@@ -612,26 +612,6 @@ static void tell_row(const CellView *view, Picture *picture)
 
 /* --- words ----------------------------------------------------------------------------------------- */
 
-static void name_of(const CellView *view, char out[PICTURE_TEXT_MAX])
-{
-    const Simulation *sim = view->sim;
-    const double cell = simulation_named(sim, view->set, "cell", view->index);
-    snprintf(out, PICTURE_TEXT_MAX, "%s %zu", sim->sets[view->set].name, view->index);
-    if (view->n_flows > 0 && !view->line) /* numbers of a plane have no words of their own */
-        text_append(out, PICTURE_TEXT_MAX, ", %s", view->flows[0].exchange->factors);
-    if (view->masses)
-        text_append(out, PICTURE_TEXT_MAX,
-                    view->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
-    else if (!view->running)
-        text_append(out, PICTURE_TEXT_MAX, ", %sstage %d: %s", view->done ? "" : "next ",
-                    (int)(view->stage - sim->stages) + 1, view->stage->name);
-    if (simulation_has(sim, HAS_BODIES))
-        text_append(out, PICTURE_TEXT_MAX, ", of %s",
-                    name_of_body(view, simulation_named(sim, view->set, "body", view->index)));
-    if (!view->line && isfinite(cell))
-        text_append(out, PICTURE_TEXT_MAX, ", in cell %.0f", cell);
-}
-
 /* As many lines as it needs, broken where the box breaks it: not at a no-break space. */
 static void add_spare(Picture *picture, const char *text)
 {
@@ -713,7 +693,21 @@ static void describe_mesh(const CellView *view, Picture *picture)
 {
     const RowList *bodies = &experiment_settings(view->screen->experiment)->rows[ROWS_BODIES];
     char name[PICTURE_TEXT_MAX], rest[sizeof picture->labels[0].text] = "";
-    name_of(view, name);
+    const double cell = simulation_named(view->sim, view->set, "cell", view->index);
+    snprintf(name, PICTURE_TEXT_MAX, "%s %zu", view->sim->sets[view->set].name, view->index);
+    if (view->n_flows > 0 && !view->line) /* numbers of a plane have no words of their own */
+        text_append(name, PICTURE_TEXT_MAX, ", %s", view->flows[0].exchange->factors);
+    if (view->masses)
+        text_append(name, PICTURE_TEXT_MAX,
+                    view->has_row ? ", its row of the mass matrix M" : ": masses are mapped in stage 1");
+    else if (!view->running)
+        text_append(name, PICTURE_TEXT_MAX, ", %sstage %d: %s", view->done ? "" : "next ",
+                    (int)(view->stage - view->sim->stages) + 1, view->stage->name);
+    if (simulation_has(view->sim, HAS_BODIES))
+        text_append(name, PICTURE_TEXT_MAX, ", of %s",
+                    name_of_body(view, simulation_named(view->sim, view->set, "body", view->index)));
+    if (!view->line && isfinite(cell))
+        text_append(name, PICTURE_TEXT_MAX, ", in cell %.0f", cell);
     picture->kind = PICTURE_DRAWING;
     picture->bare = true;
     picture_axes(picture, axis_make(view->low[0], view->high[0]), "x", "",

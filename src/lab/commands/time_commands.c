@@ -145,14 +145,10 @@ void command_pace(Laboratory *lab, int direction)
         laboratory_tell(lab, "a step every %g frames", round(1 / pace));
 }
 
-void command_to_start(Laboratory *lab)
+/* Of what has been computed, the first (by -1) or the last. */
+void command_to_end(Laboratory *lab, int by)
 {
-    player_go_to(lab, 0);
-}
-
-void command_to_newest(Laboratory *lab)
-{
-    player_go_to(lab, experiment_newest(laboratory_run(lab)));
+    player_go_to(lab, by < 0 ? 0 : experiment_newest(laboratory_run(lab)));
 }
 
 bool command_answer_go_to(Laboratory *lab, const char *text, Status *status)
@@ -316,39 +312,31 @@ bool command_answer_event(Laboratory *lab, const char *text, Status *status)
                          count);
 }
 
-void command_next_event(Laboratory *lab)
+/* The next one, to which the run goes on if it has not been there yet, or (by -1) the one before. */
+void command_event_beside(Laboratory *lab, int by)
 {
-    int count, at = 0;
-    const long step = player_place(lab).step;
+    int count;
+    const Place here = player_place(lab);
     const Event *events = experiment_events(laboratory_run(lab), &count);
-    while (at < count && events[at].step <= step)
+    int at = 0; /* the first one behind this place */
+    while (at < count && events[at].step <= here.step - (by < 0 && here.stage == 0))
         at++;
-    if (at < count) {
+    at -= by < 0;
+    if (at >= 0 && at < count) {
         go_to_event(lab, events, at, count);
         return;
     }
     Stop stop;
     Status status = {STATUS_DONE, ""};
-    if (step >= experiment_last_step(laboratory_run(lab)) || lab->player.playback.state == STATE_FAILED)
+    if (by < 0)
+        laboratory_tell(lab, "there is no event before this time");
+    else if (here.step >= experiment_last_step(laboratory_run(lab)) ||
+             lab->player.playback.state == STATE_FAILED)
         laboratory_tell(lab, "there is no event after this one");
     else if (!stop_read(&stop, "event", laboratory_run(lab), &status))
         laboratory_tell(lab, "%s", status.text);
     else
         run_to(lab, &stop);
-}
-
-void command_previous_event(Laboratory *lab)
-{
-    int count;
-    const Place here = player_place(lab);
-    const Event *events = experiment_events(laboratory_run(lab), &count);
-    int at = count - 1;
-    while (at >= 0 && (events[at].step > here.step || (events[at].step == here.step && here.stage == 0)))
-        at--;
-    if (at >= 0)
-        go_to_event(lab, events, at, count);
-    else
-        laboratory_tell(lab, "there is no event before this time");
 }
 
 /* --- a stretch of time --- */

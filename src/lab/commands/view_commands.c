@@ -123,12 +123,18 @@ void command_sheet(Laboratory *lab)
     command_show_sheet(lab, screen_is_plain(&lab->screen) ? SHEET_FULL : SHEET_PLAIN);
 }
 
+/* Wider or narrower; 0: automatic. */
 void command_window(Laboratory *lab, int direction)
 {
     Screen *screen = &lab->screen;
     double from, to;
     if (command_map_is_focused(&lab->screen)) {
         command_map_enlarge(lab, direction);
+        return;
+    }
+    if (direction == 0) {
+        screen->time.window = 0;
+        laboratory_tell(lab, "time window automatic");
         return;
     }
     time_plot_window(screen, &from, &to);
@@ -147,16 +153,6 @@ void command_window(Laboratory *lab, int direction)
     screen->time.window = window;
     const Problem *facts = laboratory_settings(lab)->problem;
     laboratory_tell(lab, "time window %g%s", window / facts->shown_time, facts->shown_time_unit);
-}
-
-void command_automatic(Laboratory *lab)
-{
-    if (command_map_is_focused(&lab->screen)) {
-        command_map_enlarge(lab, 0);
-        return;
-    }
-    lab->screen.time.window = 0;
-    laboratory_tell(lab, "time window automatic");
 }
 
 void command_cycle_references(Laboratory *lab)

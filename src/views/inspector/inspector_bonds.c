@@ -101,7 +101,6 @@ const Inspector inspector_bonds = {.needs = HAS_BONDS | HAS_LINE, .describe = de
 enum { FAMILY_LINKS = 256 };
 
 typedef struct Family {
-    const Screen *screen;
     const Simulation *sim;
     const Settings *settings;
     double s0; /* the critical stretch */
@@ -123,8 +122,7 @@ static int steps_to(const Family *family, const Link *link, int d)
 static bool family_of(Family *family, const Screen *screen)
 {
     const Simulation *sim = screen_simulation(screen);
-    *family =
-        (Family){.screen = screen, .sim = sim, .settings = screen_settings(screen), .most = -1, .last = -1};
+    *family = (Family){.sim = sim, .settings = screen_settings(screen), .most = -1, .last = -1};
     if (!body_of(sim, &family->body) || sim->counts[0] == 0)
         return false;
     family->s0 = settings_bonds(family->settings)->critical_stretch;
@@ -237,29 +235,6 @@ static void describe_forces(const Family *family, PictureTable *table)
 
 /* --- the whole ---------------------------------------------------------------------------------------- */
 
-static void describe_subject(const Family *family, Picture *picture)
-{
-    char lost[64] = "";
-    const Body *body = &family->body;
-    /* the notch's bonds were cut before the run, the others broke in it */
-    if (family->cut)
-        text_append(lost, sizeof lost, ", %d cut by the notch", family->cut);
-    if (family->broken)
-        text_append(lost, sizeof lost, ", %d broken", family->broken);
-    picture_heading(picture, "node %zu at %.6g, %.6g mm: %d bonds%s", family->node,
-                    1e3 * (body->first[0] + family->i * body->spacing),
-                    1e3 * (body->first[1] + family->j * body->spacing), family->count, lost);
-    snprintf(picture->brief, sizeof picture->brief, "node %zu: %d bonds%s", family->node, family->count,
-             lost);
-    if (family->last >= 0)
-        snprintf(picture->hints[0], sizeof picture->hints[0],
-                 " ← → ↑ ↓ next node  Enter last break  i closes ");
-    snprintf(picture->hints[1], sizeof picture->hints[1], " ← → ↑ ↓ next node  i closes ");
-    picture->tables_first = family->screen->panes.zoomed;
-    snprintf(picture->turn_hint, sizeof picture->turn_hint,
-             picture->tables_first ? " z family " : " z forces ");
-}
-
 static void family_describe(const Screen *screen, Picture *picture)
 {
     Family family;
@@ -269,11 +244,27 @@ static void family_describe(const Screen *screen, Picture *picture)
         return;
     }
     const Simulation *sim = family.sim;
-    describe_subject(&family, picture);
+    char lost[64] = "";
+    const Body *body = &family.body;
+    /* the notch's bonds were cut before the run, the others broke in it */
+    if (family.cut)
+        text_append(lost, sizeof lost, ", %d cut by the notch", family.cut);
+    if (family.broken)
+        text_append(lost, sizeof lost, ", %d broken", family.broken);
+    picture_heading(picture, "node %zu at %.6g, %.6g mm: %d bonds%s", family.node,
+                    1e3 * (body->first[0] + family.i * body->spacing),
+                    1e3 * (body->first[1] + family.j * body->spacing), family.count, lost);
+    snprintf(picture->brief, sizeof picture->brief, "node %zu: %d bonds%s", family.node, family.count, lost);
+    snprintf(picture->hints[1], sizeof picture->hints[1], " ← → ↑ ↓ next node  i closes ");
+    picture->tables_first = screen->panes.zoomed;
+    snprintf(picture->turn_hint, sizeof picture->turn_hint,
+             picture->tables_first ? " z family " : " z forces ");
     if (family.last >= 0) {
         /* The bond that broke last; in the step in which it did with the stretch. Enter goes there. */
         const Link *link = &family.links[family.last];
         const bool now = link->broken_at == sim->step + (sim->stage > 0);
+        snprintf(picture->hints[0], sizeof picture->hints[0],
+                 " ← → ↑ ↓ next node  Enter last break  i closes ");
         picture_note(picture, STYLE_WARNING,
                      now ? "bond %zu-%zu breaks in this step:" : "bond %zu-%zu broke in step %ld",
                      family.node, link->index, link->broken_at);

@@ -11,30 +11,6 @@
 #include <math.h>
 #include <stdio.h>
 
-static ShownRun run_of_ghost(const Ghost *ghost, int index)
-{
-    ShownRun run = {
-        .letter = ghost->letter,
-        .line = LINE_SOLID,
-        /* what is not pinned goes with the next change: it is faint, and takes no colour */
-        .style = ghost->pinned ? (Style)(STYLE_GHOST_A + index) : STYLE_FAINT,
-        .rank = RANK_GHOST,
-        .mark = ':',
-        .shown = true,
-        .settings = ghost->settings,
-        .record = &ghost->record,
-        .columns = ghost->columns,
-        .n_columns = ghost->n_columns,
-        .readout = &ghost->readout,
-        .ghost = index,
-        .profile = &ghost->profile,
-        .crack = &ghost->crack,
-    };
-    snprintf(run.word, sizeof run.word, "%s", ghost->legend);
-    snprintf(run.key, sizeof run.key, "%c:", ghost->letter);
-    return run;
-}
-
 static ShownRun present_run(const Experiment *experiment)
 {
     ShownRun run = {
@@ -77,9 +53,31 @@ int runs_of(const Screen *screen, ShownRun runs[RUNS_MAX])
 {
     const Ghost *ghosts = experiment_ghosts(screen_clock_run(screen));
     int count = 0;
-    for (int i = 0; i < GHOSTS_MAX && screen->side != SIDE_B; i++)
-        if (ghosts[i].used)
-            runs[count++] = run_of_ghost(&ghosts[i], i);
+    for (int i = 0; i < GHOSTS_MAX && screen->side != SIDE_B; i++) {
+        const Ghost *ghost = &ghosts[i];
+        if (!ghost->used)
+            continue;
+        ShownRun *run = &runs[count++];
+        *run = (ShownRun){
+            .letter = ghost->letter,
+            .line = LINE_SOLID,
+            /* what is not pinned goes with the next change: it is faint, and takes no colour */
+            .style = ghost->pinned ? (Style)(STYLE_GHOST_A + i) : STYLE_FAINT,
+            .rank = RANK_GHOST,
+            .mark = ':',
+            .shown = true,
+            .settings = ghost->settings,
+            .record = &ghost->record,
+            .columns = ghost->columns,
+            .n_columns = ghost->n_columns,
+            .readout = &ghost->readout,
+            .ghost = i,
+            .profile = &ghost->profile,
+            .crack = &ghost->crack,
+        };
+        snprintf(run->word, sizeof run->word, "%s", ghost->legend);
+        snprintf(run->key, sizeof run->key, "%c:", ghost->letter);
+    }
     if (screen_second_run(screen)) {
         runs[count++] = duel_run(screen, screen->side == SIDE_B ? 0 : 1);
         runs[count++] = duel_run(screen, screen->side == SIDE_B ? 1 : 0);
