@@ -202,16 +202,14 @@ int cli_figure(Options *options, Status *status)
         strcpy(settings_edit_view(&settings)->exaggeration, "1");
     others[0] = settings;
     bool sound = true;
-    if (!options->list) {
-        if (!options->view)
-            sound = status_refuse(status, "figure: --view NAME is missing (--list prints the names)");
-        else if (!options->output)
-            sound =
-                status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf, .png, .tex or .gp)");
-        sound = sound && figure_allowed(options->output, status) &&
+    if (!options->list && !options->view)
+        sound = status_refuse(status, "figure: --view NAME is missing (--list prints the names)");
+    else if (!options->list && !options->output)
+        sound = status_refuse(status, "figure: --output FILE is missing (FILE.svg, .pdf, .png, .tex or .gp)");
+    else if (!options->list)
+        sound = figure_allowed(options->output, status) &&
                 output_may_begin(options->output, ASKER_COMMAND_LINE, options->force, status) &&
                 all_others(&options->against, &settings, others, status);
-    }
     if (!sound)
         return (int)status->code;
     Progress progress;
@@ -224,22 +222,16 @@ int cli_figure(Options *options, Status *status)
     screen.scenario = options->words[0];
     Experiment *experiment =
         experiment_create(&others[0], HISTORY, progress_threads(options->threads), status);
-    if (!experiment) {
-        progress_end(&progress);
-        return progress_result(false, status);
-    }
     screen.experiment = experiment;
-    screen.chosen.particle = selection_middle(experiment_simulation(experiment));
-    if (options->list) {
+    if (experiment)
+        screen.chosen.particle = selection_middle(experiment_simulation(experiment));
+    if (experiment && options->list)
         figure_names(&screen, stdout);
-    } else {
-        sound = draw(options, &settings, others, experiment, &screen, &progress, status);
-    }
+    else
+        sound = experiment && draw(options, &settings, others, experiment, &screen, &progress, status);
     progress_end(&progress);
     experiment_destroy(experiment);
-    if (!sound)
-        return progress_result(false, status);
-    if (!options->list && !options->quiet)
+    if (sound && !options->list && !options->quiet)
         printf("wrote %s\n", options->output);
-    return STATUS_DONE;
+    return progress_result(sound, status);
 }

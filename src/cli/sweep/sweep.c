@@ -111,26 +111,23 @@ static void write_text(const Sweep *sweep, FILE *stream)
     const char *names[TABLE_COLUMNS_MAX];
     double row[TABLE_COLUMNS_MAX];
     char text[VALUE_MAX];
-    int width[TABLE_COLUMNS_MAX], n = names_of(sweep, names), last = sweep->plan.n_combinations;
-    for (int column = 0; column < n; column++)
-        width[column] = (int)strlen(names[column]);
-    for (int i = 0; i < last; i++) {
-        row_of(sweep, i, row);
-        for (int column = 0; sweep->results[i].done && column < n; column++) {
-            cell_text(sweep, column, row[column], text);
-            if ((int)strlen(text) > width[column])
-                width[column] = (int)strlen(text);
+    int width[TABLE_COLUMNS_MAX] = {0}, n = names_of(sweep, names);
+    for (int pass = 0; pass < 2; pass++) /* how wide columns are, then what they hold; -1: their names */
+        for (int i = -1; i < sweep->plan.n_combinations; i++) {
+            if (i >= 0 && !sweep->results[i].done)
+                continue;
+            if (i >= 0)
+                row_of(sweep, i, row);
+            for (int column = 0; column < n; column++) {
+                snprintf(text, sizeof text, "%s", names[column]);
+                if (i >= 0)
+                    cell_text(sweep, column, row[column], text);
+                if (pass == 1)
+                    fprintf(stream, "%*s%s", width[column], text, column + 1 < n ? "  " : "\n");
+                else if ((int)strlen(text) > width[column])
+                    width[column] = (int)strlen(text);
+            }
         }
-    }
-    for (int column = 0; column < n; column++)
-        fprintf(stream, "%*s%s", width[column], names[column], column + 1 < n ? "  " : "\n");
-    for (int i = 0; i < last; i++) {
-        row_of(sweep, i, row);
-        for (int column = 0; sweep->results[i].done && column < n; column++) {
-            cell_text(sweep, column, row[column], text);
-            fprintf(stream, "%*s%s", width[column], text, column + 1 < n ? "  " : "\n");
-        }
-    }
 }
 
 /* --- what the columns mean ------------------------------------------------------------------------ */
