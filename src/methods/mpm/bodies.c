@@ -110,20 +110,6 @@ void bodies_derive(Mpm *mpm)
     mpm->joint = mpm->n_particles;
 }
 
-/* Some rows of a body each. */
-static void make_chunks(Mpm *mpm)
-{
-    const double height = BODIES_CHUNK_CELLS * mpm->dx, *const y = mpm->at[1];
-    int count = 0;
-    for (int k = 0; k < mpm->def.n_bodies; k++)
-        for (int p = mpm->first[k], end; p < mpm->first[k + 1]; p = end) {
-            for (end = p; end < mpm->first[k + 1] && floor(y[end] / height) == floor(y[p] / height);)
-                end++;
-            mpm_put_chunk(mpm, count++, (MpmChunk){p, end - p, 1, 0});
-        }
-    ASSERT_INT(count, ==, mpm->n_chunks);
-}
-
 /* --- particles at t = 0 ----------------------------------------------------------------------------- */
 
 /* v = v0 + w x (X - c), and of a block its wave along x */
@@ -218,7 +204,13 @@ bool bodies_begin(Mpm *mpm, Status *status)
         }
     }
     find_neighbours(mpm);
-    make_chunks(mpm);
+    const double height = BODIES_CHUNK_CELLS * mpm->dx, *const y = mpm->at[1];
+    for (int k = 0, count = 0; k < def->n_bodies; k++) /* some rows of a body each */
+        for (int p = mpm->first[k], end; p < mpm->first[k + 1]; p = end) {
+            for (end = p; end < mpm->first[k + 1] && floor(y[end] / height) == floor(y[p] / height);)
+                end++;
+            mpm_put_chunk(mpm, count++, (MpmChunk){p, end - p, 1, 0});
+        }
     mpm_find_all(mpm);
     for (int k = 0; k < def->n_bodies; k++)
         for (int p = mpm->first[k]; p < mpm->first[k + 1]; p++)

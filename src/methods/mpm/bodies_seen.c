@@ -6,30 +6,24 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Squared distance over d^2 of a particle and its neighbour to the right or above; 0: it has none. */
-static double squared_stretch(const Mpm *mpm, int p, bool above)
-{
-    const double d = mpm->spacing;
-    const int q = above ? mpm->above[p] : p + 1;
-    if (q < 0 || q >= mpm->n_particles ||
-        (!above && (mpm->at[1][q] != mpm->at[1][p] || !(fabs(mpm->at[0][q] - mpm->at[0][p] - d) < 0.5 * d))))
-        return 0.0;
-    const double x = mpm->at[0][q] + mpm->u[0][q] - (mpm->at[0][p] + mpm->u[0][p]);
-    const double y = mpm->at[1][q] + mpm->u[1][q] - (mpm->at[1][p] + mpm->u[1][p]);
-    return (x * x + y * y) / (d * d);
-}
-
-/* The largest distance of neighbours over that at t = 0, and the particle that it begins at. */
+/* The largest distance of neighbours, to the right or above, over that at t = 0, and the particle that it
+ * begins at. */
 static double bodies_largest_stretch(const Mpm *mpm, int *at)
 {
+    const double d = mpm->spacing;
     double most = 0.0;
     for (int p = 0; p < mpm->n_particles; p++)
         for (int above = 0; above < 2; above++) {
-            const double squared = squared_stretch(mpm, p, above);
-            if (squared > most) {
-                most = squared;
-                *at = p;
-            }
+            const int q = above ? mpm->above[p] : p + 1;
+            if (q < 0 || q >= mpm->n_particles ||
+                (!above &&
+                 (mpm->at[1][q] != mpm->at[1][p] || !(fabs(mpm->at[0][q] - mpm->at[0][p] - d) < 0.5 * d))))
+                continue;
+            const double x = mpm->at[0][q] + mpm->u[0][q] - (mpm->at[0][p] + mpm->u[0][p]);
+            const double y = mpm->at[1][q] + mpm->u[1][q] - (mpm->at[1][p] + mpm->u[1][p]);
+            const double squared = (x * x + y * y) / (d * d);
+            *at = squared > most ? p : *at;
+            most = squared > most ? squared : most;
         }
     return sqrt(most);
 }

@@ -139,27 +139,25 @@ static bool check_bar(const MpmDef *def, Status *status)
 
 /* --- beams ------------------------------------------------------------------------------------------ */
 
-/* The channel must hold the beam to the end: more than v0 t_end of it lies behind the mouth at t = 0. */
-static bool check_channel(const MpmDef *def, Status *status)
-{
-    if (!(def->channel > def->speed * def->end))
-        return status_refuse(
-            status, "motion.channel: %g is too short for time.end (more than motion.speed * time.end = %g)",
-            def->channel, def->speed * def->end);
-    if (!(def->grid_velocity <= def->speed))
-        return status_refuse(status, "mesh.velocity: %g is out of range (0 to motion.speed = %g)",
-                             def->grid_velocity, def->speed);
-    return whole_cells_of_beam(def->channel, def->cell_size, false, "channel", status);
-}
-
 static bool check_beam(const MpmDef *def, Status *status)
 {
     if (def->padding < 1 || def->padding > PADDING_MAX)
         return status_refuse(status, "mesh.padding: %d is out of range (1 to %d)", def->padding, PADDING_MAX);
     if (!check_method(def, status) || !mpm_check_mistakes(def, status) ||
         !whole_cells_of_beam(def->length, def->cell_size, false, "length", status) ||
-        !whole_cells_of_beam(def->height, def->cell_size, true, "height", status) ||
-        (def->leaves_channel && !check_channel(def, status)) || !check_step(def, status))
+        !whole_cells_of_beam(def->height, def->cell_size, true, "height", status))
+        return false;
+    /* the channel must hold the beam to the end: more than v0 t_end of it lies behind the mouth at t = 0 */
+    if (def->leaves_channel && !(def->channel > def->speed * def->end))
+        return status_refuse(
+            status, "motion.channel: %g is too short for time.end (more than motion.speed * time.end = %g)",
+            def->channel, def->speed * def->end);
+    if (def->leaves_channel && !(def->grid_velocity <= def->speed))
+        return status_refuse(status, "mesh.velocity: %g is out of range (0 to motion.speed = %g)",
+                             def->grid_velocity, def->speed);
+    if ((def->leaves_channel &&
+         !whole_cells_of_beam(def->channel, def->cell_size, false, "channel", status)) ||
+        !check_step(def, status))
         return false;
     const double length = def->length + (def->leaves_channel ? def->channel : 0);
     const double cells = length / def->cell_size * (def->height / def->cell_size);

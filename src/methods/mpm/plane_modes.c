@@ -230,20 +230,17 @@ static double period_of(const MpmDef *def, double dt, double omega2, double lump
 bool plane_predicted_period(const MpmDef *def, double *period, Status *status)
 {
     Lattice2 lattice;
-    bool fits, sound, good;
+    bool sound; /* the matrices fit and are factors */
     *period = NAN;
     if (def->leaves_channel || def->shape == MPM_BSPLINE2)
         return true;
-    good = build(&lattice, def, &fits, status);
-    if (good && fits) {
-        good = factor(&lattice.stiffness, def, &sound, status);
-        if (good && sound)
-            good = factor(&lattice.mass, def, &sound, status);
-        if (good && sound) {
-            double omega2, lumped2 = 1;
-            good = lowest_mode(&lattice, &omega2, &lumped2, status);
-            *period = good ? period_of(def, lattice.model.dt, omega2, lumped2) : NAN;
-        }
+    bool good = build(&lattice, def, &sound, status);
+    good = good && (!sound || factor(&lattice.stiffness, def, &sound, status));
+    good = good && (!sound || factor(&lattice.mass, def, &sound, status));
+    if (good && sound) {
+        double omega2, lumped2 = 1;
+        good = lowest_mode(&lattice, &omega2, &lumped2, status);
+        *period = good ? period_of(def, lattice.model.dt, omega2, lumped2) : NAN;
     }
     release(&lattice);
     return good;
