@@ -177,7 +177,7 @@ static bool advice(const Settings *settings, char *text, size_t size, Status *st
 static bool advice_plate(const Settings *settings, char *text, size_t size, Status *status)
 {
     const BeamDef plate = beam_definition(settings, 1);
-    const int cut = beam_one_sided_cut(&plate), outer = beam_outer_cut(&plate);
+    const int cut = beam_find_cut(&plate, false), outer = beam_find_cut(&plate, true);
     if (cut < 0 && outer < 0)
         return advice(settings, text, size, status);
     if (cut < 0) {

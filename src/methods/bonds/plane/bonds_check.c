@@ -198,23 +198,13 @@ bool beam_check(const BeamDef *def, Status *status)
             plate_check(&def->plate, &measured, sqrt(def->youngs_modulus / def->density), status));
 }
 
-static int cut_that(const BeamDef *def, bool (*holds)(const PlateCut *, const Lattice *))
+int beam_find_cut(const BeamDef *def, bool outer)
 {
     Lattice lattice;
     if (def->problem != BEAM_PLATE || !lattice_measure(&lattice, def, NULL))
         return -1;
     for (int k = 0; k < def->plate.n_cuts; k++)
-        if (holds(&def->plate.cuts[k], &lattice))
+        if ((outer ? plate_cut_runs_outside : plate_cut_runs_along_nodes)(&def->plate.cuts[k], &lattice))
             return k;
     return -1;
-}
-
-int beam_one_sided_cut(const BeamDef *def)
-{
-    return cut_that(def, plate_cut_runs_along_nodes);
-}
-
-int beam_outer_cut(const BeamDef *def)
-{
-    return cut_that(def, plate_cut_runs_outside);
 }

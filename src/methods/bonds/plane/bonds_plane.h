@@ -91,12 +91,9 @@ const char *beam_mistake_sentence(int mistake); /* what is done, in one sentence
  * allowed. beam_create() is given what is. */
 bool beam_check(const BeamDef *definition, Status *status);
 
-/* The first cut of a plate that runs along nodes of its lattice, so that it is one-sided; -1: there is none.
- */
-int beam_one_sided_cut(const BeamDef *definition);
-
-/* The first cut that parts nothing, for it runs along an edge; -1: there is none. */
-int beam_outer_cut(const BeamDef *definition);
+/* The first cut of a plate that runs along nodes of its lattice, so that it is one-sided; `outer`: that parts
+ * nothing, for it runs along an edge. -1: there is none. */
+int beam_find_cut(const BeamDef *definition, bool outer);
 
 /* Builds the simulation at t = 0. NULL: the status names the scenario key that is wrong ("notch.position:
  * ..."), or says that there is not enough memory.
