@@ -34,8 +34,6 @@ class Body:
         dx, delta, parts = self.dx, self.delta, []
         node = np.arange(self.nx * self.ny).reshape(self.ny, self.nx)
         farthest = (delta + dx / 2) * (1 - 1e-9) if volume == "hhb" else delta * (1 + 1e-9)
-        if influence == "conical":
-            farthest = delta * (1 - 1e-9)
         reach = int(farthest / dx)
         for q in range(min(reach + 1, self.ny)):
             for p in range(-reach if q else 1, reach + 1):
@@ -52,6 +50,11 @@ class Body:
         self.i, self.j = bonds[:2].astype(int)
         self.xi, self.w, self.shape = bonds[2:4], bonds[4], bonds[5]
         self.length = np.hypot(*self.xi)
+        self.area = self.families(self.w * self.V, self.w * self.V)  # of all within reach, whatever their c
+        if influence == "conical":
+            bonded = self.length < delta * (1 - 1e-9)
+            self.i, self.j, self.xi, self.w = self.i[bonded], self.j[bonded], self.xi[:, bonded], self.w[bonded]
+            self.shape, self.length = self.shape[bonded], self.length[bonded]
         self.c = 9 * self.E / (np.pi * delta ** 3) * (4 if influence == "conical" else 1)
 
     def families(self, to_i, to_j):
@@ -70,8 +73,7 @@ class Body:
             axes = (self.g[:, self.i] + self.g[:, self.j]) / 2
             return ((self.xi / self.length / axes) ** 2).sum(0) ** -0.5
         if surface == "volume":
-            area = self.families(self.w * self.V, self.w * self.V)
-            return 2 * np.pi * self.delta ** 2 / (area[self.i] + area[self.j])
+            return 2 * np.pi * self.delta ** 2 / (self.area[self.i] + self.area[self.j])
         return np.ones(len(self.i))
 
     def cut_along(self, x0, y0, x1, y1):
