@@ -336,7 +336,8 @@ bool session_shows(Session *session, const char *text)
 
 static const char *last_of(const Session *session, const char *text)
 {
-    const char *left = session->bytes, *end = session->bytes + session->n_bytes, *last = NULL;
+    const char *left = session->bytes, *last = NULL;
+    const char *end = left ? left + session->n_bytes : NULL; /* nothing was written yet */
     while (left < end && (left = memmem(left, (size_t)(end - left), text, strlen(text))) != NULL)
         last = left++;
     return last;
