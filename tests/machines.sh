@@ -10,7 +10,7 @@ trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 
 built() ( # SOURCE FOLDER OPTION...
 	source=$1
-	mkdir -p "$2" && cd "$2" && shift 2 && "$source/configure" --quiet --disable-dependency-tracking "$@" && make -s -j2 all &&
+	mkdir -p "$2" && cd "$2" && shift 2 && "$source/configure" --quiet "$@" && make -s -j2 all &&
 		./matvib run mode1 --steps 10 --quiet
 )
 for compiler in gcc clang; do
