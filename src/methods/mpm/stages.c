@@ -99,29 +99,31 @@ static Kind kind_of(const Mpm *mpm)
     return mpm->bodies ? BODIES : plain ? PLAIN : OTHER;
 }
 
-/* Does what is said with dimension, shape and kind as constants. */
-#define WITH(mpm, the_dim, the_shape, the_kind, ...)                                                         \
-    if ((mpm)->dim == (the_dim) && (mpm)->shape == (the_shape) && kind_now == (the_kind)) {                  \
+/* Does what is said with dimension, shape and kind as constants; or with dimension and shape. */
+#define WITH(the_dim, the_shape, ...)                                                                        \
+    if (mpm->dim == (the_dim) && mpm->shape == (the_shape)) {                                                \
         const int dim = the_dim;                                                                             \
         const MpmShape shape = the_shape;                                                                    \
+        __VA_ARGS__;                                                                                         \
+    }
+#define ON_LINE(...)                                                                                         \
+    WITH(1, MPM_HAT, __VA_ARGS__)                                                                            \
+    WITH(1, MPM_GIMP, __VA_ARGS__)                                                                           \
+    WITH(1, MPM_CPDI, __VA_ARGS__)                                                                           \
+    WITH(1, MPM_BSPLINE2, __VA_ARGS__)                                                                       \
+    WITH(1, MPM_BSPLINE3, __VA_ARGS__)
+#define IN_PLANE(...)                                                                                        \
+    WITH(2, MPM_HAT, __VA_ARGS__)                                                                            \
+    WITH(2, MPM_GIMP, __VA_ARGS__)                                                                           \
+    WITH(2, MPM_BSPLINE2, __VA_ARGS__)
+#define AS(the_kind, ...)                                                                                    \
+    if (kind_now == (the_kind)) {                                                                            \
         const Kind kind = the_kind;                                                                          \
         __VA_ARGS__;                                                                                         \
     }
-#define WITH_BOTH(mpm, the_dim, the_shape, ...)                                                              \
-    WITH(mpm, the_dim, the_shape, PLAIN, __VA_ARGS__)                                                        \
-    WITH(mpm, the_dim, the_shape, OTHER, __VA_ARGS__)
-#define BY_SHAPE(mpm, ...)                                                                                   \
-    WITH_BOTH(mpm, 1, MPM_HAT, __VA_ARGS__)                                                                  \
-    WITH_BOTH(mpm, 1, MPM_GIMP, __VA_ARGS__)                                                                 \
-    WITH_BOTH(mpm, 1, MPM_CPDI, __VA_ARGS__)                                                                 \
-    WITH_BOTH(mpm, 1, MPM_BSPLINE2, __VA_ARGS__)                                                             \
-    WITH_BOTH(mpm, 1, MPM_BSPLINE3, __VA_ARGS__)                                                             \
-    WITH_BOTH(mpm, 2, MPM_HAT, __VA_ARGS__)                                                                  \
-    WITH_BOTH(mpm, 2, MPM_GIMP, __VA_ARGS__)                                                                 \
-    WITH_BOTH(mpm, 2, MPM_BSPLINE2, __VA_ARGS__)                                                             \
-    WITH(mpm, 2, MPM_HAT, BODIES, __VA_ARGS__)                                                               \
-    WITH(mpm, 2, MPM_GIMP, BODIES, __VA_ARGS__)                                                              \
-    WITH(mpm, 2, MPM_BSPLINE2, BODIES, __VA_ARGS__)
+#define BY_KIND(...)                                                                                         \
+    ON_LINE(AS(PLAIN, __VA_ARGS__) AS(OTHER, __VA_ARGS__))                                                   \
+    IN_PLANE(AS(PLAIN, __VA_ARGS__) AS(OTHER, __VA_ARGS__) AS(BODIES, __VA_ARGS__))
 
 /* What a loop over particles asks of the engine, read once. */
 typedef struct Places {
@@ -569,26 +571,26 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 {
     const Kind kind_now = kind_of(mpm);
+    const double shift = mpm_shift(mpm, task.step + 1); /* of the next step's grid */
+    uint8_t *const crossed = mpm->bodies ? NULL : mpm->crossed;
     int bad = -1;
     switch (task.op) {
     case OP_MAP:
-        BY_SHAPE(mpm, map(mpm, dim, shape, kind, false, first, end))
-        break;
     case OP_MAP_AGAIN:
-        BY_SHAPE(mpm, map(mpm, dim, shape, kind, true, first, end))
+        BY_KIND(map(mpm, dim, shape, kind, task.op == OP_MAP_AGAIN, first, end))
         break;
     case OP_STRAIN:
-        BY_SHAPE(mpm, bad = strain(mpm, dim, shape, kind, first, end))
+        BY_KIND(bad = strain(mpm, dim, shape, kind, first, end))
         break;
     case OP_FORCE:
-        BY_SHAPE(mpm, force(mpm, dim, shape, kind, first, end))
+        BY_KIND(force(mpm, dim, shape, kind, first, end))
         break;
     case OP_UPDATE:
-        BY_SHAPE(mpm, update(mpm, dim, shape, kind, first, end))
+        BY_KIND(update(mpm, dim, shape, kind, first, end))
         break;
     case OP_FORGET: /* the grid: where the particles lie on that of the next step */
-        BY_SHAPE(mpm, bad = mpm_set_places(mpm, dim, shape, mpm_shift(mpm, task.step + 1), first, end, span,
-                                           kind == BODIES ? NULL : mpm->crossed))
+        ON_LINE(bad = mpm_set_places(mpm, dim, shape, shift, first, end, span, crossed))
+        IN_PLANE(bad = mpm_set_places(mpm, dim, shape, shift, first, end, span, crossed))
         break;
     default:
         break;
