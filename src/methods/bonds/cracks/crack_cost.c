@@ -53,7 +53,8 @@ static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, 
     const double middle[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
     double nearest = INFINITY;
     bool crosses = false;
-    for (const CrackPath *path = paths; path < paths + n_paths; path++)
+    for (int which = 0; which < n_paths; which++) {
+        const CrackPath *path = &paths[which];
         for (size_t k = 0; k + 1 < path->count && !crosses; k++) {
             const double c[2] = {path->x[k], path->y[k]}, d[2] = {path->x[k + 1], path->y[k + 1]};
             /* most pieces of a long path are farther off than this by their rectangle */
@@ -64,6 +65,7 @@ static void add_bond(CrackCost *cost, const Beam *beam, const CrackPath *paths, 
             crosses = segments_cross(a, b, c, d);
             nearest = fmin(nearest, distance(middle, c, d));
         }
+    }
     *(crosses                        ? &cost->through
       : nearest <= beam->def.horizon ? &cost->beside
                                      : &cost->far) += at_limit(beam, bond);
@@ -104,8 +106,8 @@ bool crack_cost_along(const Simulation *sim, const CrackPath *paths, int n_paths
     size_t pieces = 1, pairs = 0;
     if (beam->head->critical_stretch != beam->def.critical_stretch || cancel_requested(cancel, 0))
         return false;
-    for (const CrackPath *path = paths; path < paths + n_paths; path++)
-        pieces += path->count;
+    for (int k = 0; k < n_paths; k++)
+        pieces += paths[k].count;
     *cost = (CrackCost){.area = length * beam->def.thickness, .plane = plane_energy(beam)};
     for (size_t slot = 0; (slot = beam_next_bit(beam->broken, slot, slots)) < slots; slot++) {
         if (beam_bit(beam->notched, slot))
