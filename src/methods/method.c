@@ -362,7 +362,7 @@ bool stage_when(unsigned when, unsigned run, const unsigned *groups)
 
 Stage stage_words(const StageWords *rows, size_t count, int stage, unsigned run, const unsigned *groups)
 {
-    Stage words = {NULL};
+    Stage words = {0};
     const char **const members[] = {&words.id,       &words.name,  &words.equation, &words.source,
                                     &words.sentence, &words.reads, &words.writes};
     for (const StageWords *row = rows; row < rows + count; row++) {
