@@ -369,7 +369,9 @@ Stage stage_words(const StageWords *rows, size_t count, int stage, unsigned run,
         const Stage *own = &row->words;
         const char *const others[] = {own->id,       own->name,  own->equation, own->source,
                                       own->sentence, own->reads, own->writes};
-        for (size_t k = 0; row->stage == stage && stage_when(row->when, run, groups) && k < 7; k++)
+        for (size_t k = 0;
+             row->stage == stage && stage_when(row->when, run, groups) && k < sizeof others / sizeof *others;
+             k++)
             *members[k] = others[k] ? others[k] : *members[k];
     }
     return words;

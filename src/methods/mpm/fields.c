@@ -308,7 +308,7 @@ static double node_field(const Mpm *mpm, FieldKind kind, int axis, int i)
     const bool is_line = mpm->dim == 1, fixed = mpm_has_done(mpm, OP_FIX),
                forced = mpm_has_done(mpm, OP_FORCE);
     const bool held = is_line || mpm->bodies ? forced : mpm_has_done(mpm, OP_FIX_FORCE);
-    if (kind >= N_MASS && !mpm_has_done(mpm, OP_MAP))
+    if (kind >= N_MASS && !mpm_has_done(mpm, OP_MAP)) /* the first of OF_GRID */
         return 0.0;
     switch (kind) {
         OF_NODE(VALUE)

@@ -244,6 +244,8 @@ static double kinetic_null(const Now *now)
             __VA_ARGS__                                                                                      \
         }                                                                                                    \
     }
+#define NOT_OF_GRID                                                                                          \
+    "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"
 static const struct {
     MpmProblem of;
     double (*value)(const Now *);
@@ -256,8 +258,7 @@ static const struct {
     ROW(MPM_BAR, kinetic, AXIAL_KINETIC),
     ROW(MPM_BAR, kinetic_grid, "kinetic_grid", "seen by grid", "force/length",
         "the part of it that the grid sees: sum p^2/(2m) of the nodes, boundary applied"),
-    ROW(MPM_BAR, kinetic_null, "kinetic_null", "null space", "force/length",
-        "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"),
+    ROW(MPM_BAR, kinetic_null, "kinetic_null", "null space", "force/length", NOT_OF_GRID),
     ROW(MPM_BAR, strain, "strain", "strain", "force/length", "strain energy of the particles"),
     ROW(MPM_BAR, work, AXIAL_WORK),
     ROW(MPM_BAR, total, AXIAL_TOTAL),
@@ -270,8 +271,7 @@ static const struct {
         "kinetic energy of the particles, without the common speed"),
     ROW(MPM_BEAM, kinetic_grid, "kinetic_grid", "seen by grid", "J",
         "the part of it that the grid sees: sum p^2/(2m) of the nodes, supports applied"),
-    ROW(MPM_BEAM, kinetic_null, "kinetic_null", "null space", "J",
-        "the part of it that no velocities of the grid can give: the rest is seen, or lost to lumped masses"),
+    ROW(MPM_BEAM, kinetic_null, "kinetic_null", "null space", "J", NOT_OF_GRID),
     ROW(MPM_BEAM, strain, "strain", "strain", "J", "strain energy of the particles"),
     ROW(MPM_BEAM, work, "work", "work", "J", "work of the channel, which draws the beam out"),
     ROW(MPM_BEAM, total, "total", "total", "J",

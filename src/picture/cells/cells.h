@@ -27,6 +27,9 @@ long cells_row(const Picture *, Rect rect, int x, int y);
 size_t cells_top(const Picture *, Rect rect);
 size_t cells_scroll(const Picture *, Rect rect, int by, size_t *top);
 
+/* One that is drawn with its dimensions: places in whole columns, and rows above 0. */
+void cells_drawing(const Picture *, Area, Style heading);
+
 /* Tables, drawn; what is in a cell, set -1: nothing; and the part below what is around, beside the
  * tables, without rows: there is none. */
 void cells_tables(const Picture *, Area, Style heading);

@@ -389,13 +389,15 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
         return false;
     /* What is compared is drawn to one measure. */
     double low = INFINITY, high = -INFINITY;
-    for (int turn = 0; turn < 2; turn++) /* after the first the range is that of all */
-        for (int i = 0; i < figure->count; i++) {
-            PictureMap *map = figure->panels[i]->picture.map;
-            if (!map)
-                continue;
-            map->low = low = fmin(low, map->low);
-            map->high = high = fmax(high, map->high);
+    for (int i = 0; i < figure->count; i++) {
+        const PictureMap *map = figure->panels[i]->picture.map;
+        low = map ? fmin(low, map->low) : low;
+        high = map ? fmax(high, map->high) : high;
+    }
+    for (int i = 0; i < figure->count; i++)
+        if (figure->panels[i]->picture.map) {
+            figure->panels[i]->picture.map->low = low;
+            figure->panels[i]->picture.map->high = high;
         }
     const double width = figure->width * MILLIMETRES,
                  height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
