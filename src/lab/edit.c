@@ -114,8 +114,8 @@ bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb
 bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Status *status)
 {
     Editing *editing = &lab->editing;
-    Settings old = *laboratory_settings(lab);
-    bool same = settings_same(&old, settings);
+    const Settings old = *experiment_base(laboratory_run(lab));
+    bool same = settings_same(laboratory_settings(lab), settings);
     const long step = player_place(lab).step;
     /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
     if (step != editing->anchor_step)

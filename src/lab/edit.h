@@ -13,7 +13,7 @@ typedef struct Laboratory Laboratory;
 enum { UNDO_MAX = 32 };
 
 typedef struct Editing {
-    Settings *undo, *redo; /* UNDO_MAX each, the newest last */
+    Settings *undo, *redo; /* values at t = 0 and changes in mid-run; UNDO_MAX each, the newest last */
     Settings *draft;       /* of a row that is being moved */
     int n_undo, n_redo;
     bool changed;                           /* since the last export: quitting asks */

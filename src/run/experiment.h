@@ -149,7 +149,7 @@ bool experiment_rerun(Experiment *, const Settings *, Status *);
 /* Whether these settings make a run that is another one from some step on. */
 bool experiment_recomputes(const Experiment *, const Settings *);
 
-/* Settings as they once were, with the changes in mid-run that they had then: for undo. */
+/* An experiment_base() as it once was, with the changes in mid-run that it had then: for undo. */
 bool experiment_replace(Experiment *, const Settings *, Status *);
 
 /* Pins the present curves as a ghost (with the unpinned one's place at most GHOSTS_MAX - 1 of them), or

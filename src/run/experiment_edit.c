@@ -255,9 +255,17 @@ bool experiment_edit(Experiment *experiment, const Settings *wanted, Status *sta
 
 bool experiment_replace(Experiment *experiment, const Settings *wanted, Status *status)
 {
-    if (compare(&experiment->now, wanted) == SAME)
-        return experiment_edit(experiment, wanted, status);
-    return edit_from_start(experiment, wanted, false, status);
+    if (compare(&experiment->base, wanted) == SAME) {
+        Settings settings = *wanted;
+        begin_changed_ones(&settings, &experiment->now);
+        return experiment_edit(experiment, &settings, status);
+    }
+    experiment_drop_part(experiment);
+    const double dt = experiment->run.sim->dt;
+    if (!replace_run(experiment, wanted, true, true, status))
+        return false;
+    changes_move(experiment->given, experiment->n_given, dt, experiment->run.sim->dt);
+    return true;
 }
 
 bool experiment_rerun(Experiment *experiment, const Settings *wanted, Status *status)

@@ -516,10 +516,10 @@ START_TEST(undo_brings_back_what_was)
     Settings settings = bar_settings(5, 20);
     Experiment *experiment = open_experiment(&settings, MEGABYTE);
     ck_assert(experiment_advance(experiment, 300, NULL));
-    Settings first = *experiment_settings(experiment);
+    Settings first = *experiment_base(experiment);
     edit_one(experiment, "mpm.algorithm", "usl");
     ck_assert(experiment_advance(experiment, 100, NULL));
-    Settings second = *experiment_settings(experiment);
+    Settings second = *experiment_base(experiment);
     edit_one(experiment, "mpm.transfer", "apic");
     ck_assert(experiment_advance(experiment, 100, NULL));
     edit_one(experiment, "mesh.particles_per_cell", "3");

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands that set runs beside each other, undo and redo. */
 #include "lab/commands/commands.h"
+#include "scenario/changes.h"
 
 #include <stdio.h>
 #include <math.h>
@@ -73,13 +74,16 @@ void command_undo(Laboratory *lab, int by)
         laboratory_tell(lab, "nothing to %s", back ? "undo" : "redo");
         return;
     }
-    Settings old = *laboratory_settings(lab);
+    const Settings old = *experiment_base(laboratory_run(lab));
+    Settings before, after;
+    changes_in_force(&old, player_place(lab).step, &before);
     if (!edit_change_runs(lab, &from[*n_from - 1], experiment_replace, &status)) {
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
         return;
     }
     char change[160];
-    settings_name_change(&old, laboratory_settings(lab), change, sizeof change);
+    changes_in_force(experiment_base(laboratory_run(lab)), player_place(lab).step, &after);
+    settings_name_change(&before, &after, change, sizeof change);
     to[(*n_to)++] = old;
     --*n_from;
     edit_changed(lab);
