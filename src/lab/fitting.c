@@ -36,7 +36,7 @@ static bool solve(Laboratory *lab, FitTask *task, Settings *settings, Status *st
     bool sound = fit_solve(task, &result, status);
     for (int i = 0; i < task->n_keys && sound; i++)
         fit_put(settings, task->keys[i], result.values[i]);
-    sound = sound && edit_change(lab, settings, experiment_rerun, status);
+    sound = sound && edit_change(lab, settings, experiment_replace, status);
     if (sound) {
         /* "bar.density 1.02 +- 0.01, ...; residuals 3e-3, before 2e-2: noise; correlation 0.4" */
         char text[sizeof lab->message.text] = "fitted:";

@@ -73,6 +73,27 @@ START_TEST(the_modulus_is_found)
 }
 END_TEST
 
+/* The run that was fitted is the one that comes on screen. */
+START_TEST(changes_in_mid_run_stay)
+{
+    char folder[64];
+    enter_folder(folder);
+    write_data("data.csv");
+    Bench *bench = open_bench("mode1", true);
+    ck_assert_str_eq(enter(bench, "2"), "");
+    ck_assert_str_eq(enter(bench, "mpm.flip_fraction=0.999"), "");
+    ck_assert_str_eq(enter(bench, "3"), "");
+    ck_assert_str_eq(enter(bench, "overlay data.csv"), "");
+    ck_assert_str_eq(enter(bench, "fit bar.youngs_modulus"), "");
+    ck_assert_double_eq_tol(modulus(bench) / MODULUS, 1, 1e-2);
+    const Settings *base = experiment_base(bench->lab.screen.experiment);
+    ck_assert_int_eq(base->n_changes, 1);
+    ck_assert_double_eq(settings_number(base, parameter_find("mpm.flip_fraction")), 1);
+    close_bench(bench);
+    leave_folder(folder);
+}
+END_TEST
+
 START_TEST(two_at_once_tell_how_they_hang_together)
 {
     char folder[64];
@@ -166,6 +187,7 @@ void add_cases(Suite *suite)
     TCase *tcase = tcase_create("fitting");
     tcase_add_test(tcase, the_modulus_is_found);
     tcase_add_test(tcase, a_fit_that_was_stopped_is_stopped_again);
+    tcase_add_test(tcase, changes_in_mid_run_stay);
     tcase_add_test(tcase, two_at_once_tell_how_they_hang_together);
     tcase_add_test(tcase, who_gives_up_keeps_the_run);
     tcase_add_test(tcase, what_cannot_be_fitted_is_refused);
