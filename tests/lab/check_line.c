@@ -379,15 +379,24 @@ START_TEST(the_cursor_reads_and_enter_goes_there)
 {
     Bench *bench = open_bench("mode5", true);
     Screen *screen = &bench->lab.screen;
-    do_line(bench, "goto 4");
-    screen->panes.focus = PANE_LOWER;
-    press_all(bench, "Left Left Left Left Left Left Left");
-    const double time = screen->time.cursor;
-    ck_assert(isfinite(time) && time < 4);
-    ck_assert(shows(bench, "measured") && shows(bench, "exact") && shows(bench, "predicted"));
-    press(bench, "Enter");
-    ck_assert_int_eq(experiment_step(screen->experiment), lround(100 * time));
-    ck_assert(isnan(screen->time.cursor));
+    for (int left = 2; left < 9; left++) {
+        do_line(bench, "goto 4");
+        screen->panes.focus = PANE_LOWER;
+        for (int i = 0; i < left; i++)
+            press(bench, "Left");
+        const double time = screen->time.cursor;
+        ck_assert(isfinite(time) && time < 4);
+        ck_assert(shows(bench, "measured") && shows(bench, "exact") && shows(bench, "predicted"));
+        /* the row that was read, not the step that is nearest to the cursor */
+        const Record *record = experiment_record(screen->experiment);
+        const double *row = record_row(record, record_find(record, time));
+        char text[32];
+        snprintf(text, sizeof text, "t %.2f  meas", row[1]);
+        ck_assert_msg(shows(bench, text), "%s", text);
+        press(bench, "Enter");
+        ck_assert_int_eq(experiment_step(screen->experiment), (long)row[0]);
+        ck_assert(isnan(screen->time.cursor));
+    }
     ck_assert_int_eq(experiment_newest(screen->experiment), 400); /* nothing is lost */
     close_bench(bench);
 }

@@ -131,7 +131,8 @@ void command_enter(Laboratory *lab)
         edit_begin(lab);
         row_edit_begin(lab);
     } else if (view && view->has_time_axis && !isnan(screen->time.cursor)) {
-        player_go_to(lab, lround(screen->time.cursor / laboratory_simulation(lab)->dt));
+        const Record *record = experiment_record(laboratory_run(lab)); /* the row that is read there */
+        player_go_to(lab, (long)record_row(record, record_find(record, screen->time.cursor))[0]);
         screen->time.cursor = NAN;
     } else if (!(view && view->is_list && enter_row(lab, view)) && lesson_entry_page(lab)) {
         lesson_play_enter(lab);
