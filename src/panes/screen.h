@@ -64,6 +64,7 @@ typedef enum ReferencesShown { SHOW_ALL, SHOW_EXACT, SHOW_PREDICTED, SHOW_NONE, 
 typedef struct ViewVariant {
     const View *view;
     int variant;
+    char word[64]; /* by which another run has it, at another place or not at all; "": it has no name */
 } ViewVariant;
 
 typedef struct ViewsShown {

@@ -2,6 +2,7 @@
 /* One view on one screen: what it needs and which variant is chosen. Nothing here asks which view it is. */
 #include "views/view.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "run/experiment.h"
@@ -26,12 +27,17 @@ int view_variants(const View *view, const Screen *screen)
 
 int view_variant(const View *view, const Screen *screen)
 {
-    int variant = 0; /* as it was counted when it was chosen: more than there are begins again */
-    for (int i = 0; i < screen->views.n_variants; i++)
-        if (screen->views.variants[i].view == view)
-            variant = screen->views.variants[i].variant;
-    /* another run may have fewer; the choice is kept for one that has as many again */
-    return variant > 0 ? variant % view_variants(view, screen) : 0;
+    for (int i = 0; i < screen->views.n_variants; i++) {
+        const ViewVariant *chosen = &screen->views.variants[i];
+        if (chosen->view != view)
+            continue;
+        if (!chosen->word[0])
+            return chosen->variant % view_variants(view, screen);
+        /* a run without it shows its first; the choice is kept for one that has it again */
+        const int variant = view_variant_named(view, screen, chosen->word);
+        return variant > 0 ? variant : 0;
+    }
+    return 0;
 }
 
 void view_choose_variant(const View *view, Screen *screen, int variant)
@@ -41,8 +47,11 @@ void view_choose_variant(const View *view, Screen *screen, int variant)
         i++;
     if (i == VIEWS_MAX)
         return;
-    screen->views.variants[i].view = view;
-    screen->views.variants[i].variant = variant;
+    variant %= view_variants(view, screen);
+    const char *word = view_variant_word(view, screen, variant);
+    ViewVariant *chosen = &screen->views.variants[i];
+    *chosen = (ViewVariant){.view = view, .variant = variant};
+    snprintf(chosen->word, sizeof chosen->word, "%s", word ? word : "");
     if (i == screen->views.n_variants)
         screen->views.n_variants++;
 }

@@ -17,6 +17,7 @@ typedef struct Plan {
     int width, height;
     long steps, stages, back, particle;
     int points;            /* of a study; 0: all */
+    int variant;           /* of all views */
     char ghost[VALUE_MAX]; /* key=value of an edit after the steps */
     char duel[VALUE_MAX];  /* key=value of the second run; "": those of the scenario */
     bool duels;
@@ -81,8 +82,7 @@ static bool number_word(Scene *scene, Plan *plan, const char *word, const char *
     else if (strcmp(word, "lower") == 0)
         screen->views.lower = view_named(number);
     else if (strcmp(word, "variant") == 0)
-        for (int i = 0; i < n_views; i++)
-            view_choose_variant(views[i], screen, atoi(number));
+        plan->variant = atoi(number);
     else if (strcmp(word, "focus") == 0)
         screen->panes.focus = (PaneId)atoi(number);
     else if (strcmp(word, "select") == 0)
@@ -182,6 +182,8 @@ static bool play(Scene *scene, Plan *plan, Status *status)
     Duel *duel = &scene->duel;
     duel_open(duel, experiment, 64 << 20, 1);
     screen->duel = duel;
+    for (int i = 0; i < n_views && plan->variant > 0; i++)
+        view_choose_variant(views[i], screen, plan->variant);
     if (plan->duels && !begin_duel(scene, plan, status))
         return false;
     if (!duel_advance(duel, (Effort){.steps = plan->steps}, &(bool){false}, status))
