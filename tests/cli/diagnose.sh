@@ -231,6 +231,9 @@ result "is no time" says out '; dt 0\.00692820323, a row every 2 steps$'
 awk -F, 'NR == 1 { print "t,v" } NR > 2 { printf "%g,%s\n", $2 - .01, $3 }' right.csv >before.csv
 expect "times before their step" 0 mode5 before.csv
 result "are told too" sh -c 'grep -q "^Read as: v: v_cm; rows carry the time before their step; dt 0.01$" out && grep -q "those of the right code" out'
+awk -F, 'NR == 1 { print "t,v_cm" } NR > 1 { printf "%g,%.9g\n", $2, $3 + 1e-5 * cos(NR * NR) }' right.csv >disturbed.csv
+expect "times of noise" 1 mode5 disturbed.csv
+result "are as they stand" says out '^Read as: v_cm; dt 0.01$'
 awk -F, 'NR == 1 { print "step,v_cm" } NR > 1 { print $1 "," $3 * (1 + $1 * $1 * 1e-4) }' right.csv >wild.csv
 expect "numbers of no code" 1 mode5 wild.csv
 result "are not blamed on one" sh -c 'grep -q "^None of [0-9]* other codes gives these numbers" out && grep -q "stages 1:1" out'

@@ -743,12 +743,14 @@ static int most_firsts(const Trials *trials)
     return most;
 }
 
-/* A start that agrees is better evidence than many rows of a column that hardly changes. */
+/* A start that agrees is better evidence than many rows of a column that hardly changes; where nothing agrees
+ * the times are as they stand. */
 static bool is_likelier(const Trial *one, const Trial *other)
 {
-    return one->denied != other->denied ? !one->denied
-           : one->begun != other->begun ? one->begun > other->begun
-                                        : one->agreed > other->agreed;
+    return one->begun == 0 && other->begun == 0 ? false
+           : one->denied != other->denied       ? !one->denied
+           : one->begun != other->begun         ? one->begun > other->begun
+                                                : one->agreed > other->agreed;
 }
 
 /* The best comes first. */
