@@ -246,16 +246,28 @@ static const char *word_of(const Screen *screen, int variant)
     return variant > 0 ? crack_cost_variant_word(screen, variant - 1) : "stack";
 }
 
-static void note_run(const Screen *screen, Picture *picture, const char *run, double most_work, int rows)
+/* The largest work up to the present row. */
+static double most_work_by(const Record *record, int work, const double *now)
+{
+    double most = fabs(now[work]);
+    for (size_t i = 0; i < record->count && record_row(record, i)[1] <= now[1]; i += time_plot_stride(record))
+        most = fmax(most, fabs(record_row(record, i)[work]));
+    return most;
+}
+
+static void note_run(const Screen *screen, Picture *picture, const char *run, int rows)
 {
     const Stack stack = stack_of(screen);
     char phrases[320];
     const double *now = experiment_row(screen->experiment);
     const int total = experiment_column(screen->experiment, "total"),
               work = experiment_column(screen->experiment, "work");
+    const double most_work = now && work >= 0 && !screen_has(screen, HAS_RELATIVE_ENERGY)
+                                 ? most_work_by(stack.record, work, now)
+                                 : 0;
     energy_phrases(screen, &stack, &picture->plot.x, phrases);
-    if (most_work > 0 && experiment_column(screen->experiment, "kinetic_grid") < 0 && now && work >= 0 &&
-        total >= 0 && stack.record->count > 0) {
+    if (most_work > 0 && experiment_column(screen->experiment, "kinetic_grid") < 0 && total >= 0 &&
+        stack.record->count > 0) {
         /* What the balance lacks: kinetic + strain + dissipated less the start and the work of the load,
          * against the largest work so far; of second order in the time step. */
         const double residual = now[total] - record_row(stack.record, 0)[total] - now[work];
@@ -290,10 +302,10 @@ static void note_runs(const Screen *screen, Picture *picture, bool both, double 
     const int rows = 1 + more + (staggered || screen_has(screen, HAS_BREAKING));
     for (int run = 0; run < 2 && both; run++) {
         const Screen one = screen_of_side(screen, run == 0 ? SIDE_A : SIDE_B);
-        note_run(&one, picture, run == 0 ? "A " : "B ", most_work, 1);
+        note_run(&one, picture, run == 0 ? "A " : "B ", 1);
     }
     if (!both)
-        note_run(screen, picture, "", most_work, rows);
+        note_run(screen, picture, "", rows);
 }
 
 static void describe(const Screen *screen, int variant, Picture *picture)
