@@ -136,6 +136,14 @@ static bool is_field(const Simulation *sim, const char *name)
     return false;
 }
 
+static bool is_column(const Export *export, const char *name)
+{
+    for (int i = 0; i < export->n_columns; i++)
+        if (strcmp(export->columns[i].quantity.name, name) == 0)
+            return true;
+    return false;
+}
+
 /* What is written, in the order of the series; what is asked for is there. */
 static bool choose_columns(Export *export, Status *status)
 {
@@ -147,15 +155,15 @@ static bool choose_columns(Export *export, Status *status)
             export->written[export->n_written++] = i;
         text_list_add(known, sizeof known, name);
     }
-    for (char name[80]; text_next_item(&asked, name, sizeof name);) {
-        bool found = strcmp(name, "all") == 0;
-        for (int i = 0; i < export->n_columns; i++)
-            found = found || strcmp(name, export->columns[i].quantity.name) == 0;
-        if (!found && !((export->outputs->particles || export->outputs->nodes || export->outputs->bonds) &&
-                        is_field(export->run.sim, name)))
+    for (int i = 0; i < export->run.sim->n_askable; i++)
+        if (!is_column(export, export->run.sim->series_own[i].name))
+            text_list_add(known, sizeof known, export->run.sim->series_own[i].name);
+    const bool tables = export->outputs->particles || export->outputs->nodes || export->outputs->bonds;
+    for (char name[80]; text_next_item(&asked, name, sizeof name);)
+        if (strcmp(name, "all") != 0 && !is_column(export, name) &&
+            !(tables && is_field(export->run.sim, name)))
             return status_refuse(status, "output.columns: %.60s is not a column of the series (%s)", name,
                                  known);
-    }
     return true;
 }
 

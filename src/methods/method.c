@@ -492,12 +492,12 @@ void simulation_ask_columns(Simulation *sim, const char *names)
         if (simulation_is_on_request(sim, sim->series[i].name) &&
             !simulation_asks(names, sim->series[i].name))
             continue;
-        if (count < i) {
-            sim->series_own[count] = sim->series_own[i];
-            sim->series_entry[count] = sim->series_entry[i];
-        }
-        count++;
+        const Quantity quantity = sim->series_own[count];
+        sim->series_own[count] = sim->series_own[i];
+        sim->series_own[i] = quantity;
+        sim->series_entry[count++] = sim->series_entry[i];
     }
+    sim->n_askable = sim->n_series;
     sim->n_series = count;
 }
 

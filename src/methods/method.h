@@ -299,6 +299,7 @@ struct Simulation {
     int n_series;
     Quantity series_own[SIMULATION_SERIES_MAX]; /* of the method, and which of its columns each is */
     int series_entry[SIMULATION_SERIES_MAX];
+    int n_askable;         /* of series_own: those in the series, then those that nobody asked for */
     struct Follow *follow; /* things that are followed, behind the method's own series; NULL: none */
 
     unsigned has; /* HAS_... */

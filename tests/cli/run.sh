@@ -33,7 +33,7 @@ result "are all" header c.csv \
 	step,time,v_cm,v_cm_exact,v_cm_predicted,x_cm,x_cm_rate,kinetic,kinetic_grid,kinetic_null,strain,work,total,momentum,reaction
 expect "what stands beside repeats them" 0 c.csv.ini --series d.csv --quiet
 result "with the same bytes" cmp -s c.csv d.csv
-refuse "a column that there is not" "--columns: output.columns: v_probe is not a column of the series (all, step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total)" \
+refuse "a column that there is not" "--columns: output.columns: v_probe is not a column of the series (all, step, time, v_cm, v_cm_exact, v_cm_predicted, x_cm, kinetic, strain, work, total, x_cm_rate, kinetic_grid, kinetic_null, momentum, reaction)" \
 	mode1 --steps 9 --columns v_cm,v_probe --series e.csv
 
 "$MATVIB" show mode1 >shown.ini
