@@ -74,16 +74,14 @@ static void state_text(const Screen *screen, bool brief, char *out, size_t size)
 /* The time with so many decimals less than the step has, but with two at least where it has them. */
 static void screen_shorter_time(const Screen *screen, int less, char *out, size_t size)
 {
-    snprintf(out, size, "%s", screen_time_text(screen, experiment_time(screen->experiment)).text);
-    char *point = strchr(out, '.');
-    if (!point)
-        return;
-    const size_t decimals = strspn(point + 1, "0123456789");
-    if (decimals <= 2)
-        return;
-    const size_t most = decimals - 2, cut = (size_t)less < most ? (size_t)less : most;
-    char *from = point + 1 + decimals;
-    memmove(from - cut, from, strlen(from) + 1);
+    const double time = experiment_time(screen->experiment);
+    snprintf(out, size, "%s", screen_time_text(screen, time).text);
+    const char *point = strchr(out, '.');
+    const int decimals = point ? (int)strspn(point + 1, "0123456789") : 0, least = decimals - less;
+    const Problem *facts = screen_problem(screen);
+    if (decimals > 2)
+        snprintf(out, size, "t %.*f%s", least > 2 ? least : 2, time / facts->shown_time,
+                 facts->shown_time_unit);
 }
 
 enum { BAR_CELLS = 10 };
