@@ -23,11 +23,11 @@ double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double couran
     return fmin(1.0, 0.5 - (stiffness - courant * courant / 12.0) / (2.0 * filter));
 }
 
-/* Particles that are worked on together, so many that they are read ahead where there are many. */
+/* Particles that are worked on together: few chunks, as arrays are read ahead in each anew, and enough for
+ * threads. */
 static int chunk_of(int particles)
 {
-    const int chunk = particles / 8;
-    return chunk < 512 ? 512 : chunk > 4096 ? 4096 : chunk;
+    return particles / 8 < 512 ? 512 : particles / 8;
 }
 
 /* Counts, m = rho dx/P, supports and the particles under traction (eq. 11). The mesh has `padding` cells
