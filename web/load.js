@@ -33,7 +33,7 @@ async function load_program() {
 		spare = new Worker(worker_address());
 		spare.onmessage = ({data}) => (data.program ? done(data.program) : fail(new Error(data.text)));
 		spare.onerror = (event) => fail(new Error(event.message || 'its worker could not be begun'));
-		spare.postMessage({unpack: pieces});
+		spare.postMessage({unpack: new Blob(pieces)}); // not copied once more, as texts are
 	});
 }
 

@@ -97,10 +97,12 @@ function start(message) {
 }
 
 // The program as the one file holds it, compiled for every start.
-async function unpack(pieces) {
+const PIECE = 65536; // letters of base64, by fours
+async function unpack(letters) {
 	const stream = new DecompressionStream('gzip'), whole = new Response(stream.readable).arrayBuffer(), writer = stream.writable.getWriter();
-	for (const piece of pieces) {
-		const text = atob(piece), bytes = new Uint8Array(text.length);
+	const all = await letters.text();
+	for (let at = 0; at < all.length; at += PIECE) {
+		const text = atob(all.slice(at, at + PIECE)), bytes = new Uint8Array(text.length);
 		for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i); // many times faster than Uint8Array.from()
 		writer.write(bytes);
 	}
