@@ -84,6 +84,9 @@ expect "five runs behind" 2 mode5 --view probe --against initial.mode=1 --agains
 	--against initial.mode=4 --against initial.mode=6 --output x.svg
 expect "a size in millimetres" 0 mode1 --end 5 --view energies --size 100x70 --output small.svg
 result "is kept" says small.svg '<svg.* width="100mm" height="70mm"'
+result "and parameters give way to the curves, results do not" sh -c 'grep -q lumping small.svg && ! grep -q particles/cell small.svg'
+refuse "a page that is too low" 'low.svg: 30 mm are too low for this page (at least 57, or a wider one)' \
+	mode1 --end 5 --view energies --size 30x30 --output low.svg
 
 # --- bare ---
 expect "curves and axes alone" 0 mode5 --end 5 --view probe --bare --output bare.svg
@@ -137,6 +140,8 @@ expect "a plate that is pressed" 0 "$@" --set loads.top.sy=-12e6 --set loads.bot
 heads() { grep '<polygon fill="#000000"' "$1"; }
 result "arrows point where the load does" sh -c 'test "$1" != "$2"' - "$(heads plate.svg)" "$(heads pressed.svg)"
 
+expect "errors of both signs" 0 supported-beam-coarse --view convergence --output both.svg
+result "have a disc and a ring each in the legend" sh -c 'test "$(grep -c "<circle .*cy=\"32.81\"" both.svg)" -eq 2 && test "$(grep -c "<circle fill=\"#ffffff\"" both.svg)" -eq 2'
 expect "the struck plate" 0 kalthoff-coarse --view beam:damage --end 1e-6 --output struck.svg
 result "is drawn as it is, for it comes apart" sh -c "! grep -q \">u × \" struck.svg"
 expect "the period of a beam without bonds" 0 supported-beam-mpm-coarse --view dispersion --end 1e-6 --output period.svg

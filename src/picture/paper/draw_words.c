@@ -138,7 +138,8 @@ static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *
 {
     const double ends[] = {x, y, x + SAMPLE, y};
     const Pencil pencil = ink_pencil(key->style, key->line, picture_run_of(key));
-    bool lined = false, marked = key->sign >= 0x80 && key->sign < SIGN_DOTS; /* dots are marks too */
+    const bool ring = key->sign == 0x25cb, sign = ring || key->sign == 0x25cf;
+    bool lined = false, marked = sign; /* dots are marks too */
     for (int i = 0; i < picture->plot.n_strokes; i++) {
         const Stroke *stroke = &picture->plot.strokes[i];
         if (stroke->style != key->style)
@@ -154,8 +155,9 @@ static void draw_sample(Paper *paper, const Picture *picture, const PictureKey *
     }
     for (size_t i = 0; i < picture->n_marks; i++)
         marked |= picture->marks[i].style == key->style && picture->marks[i].glyph >= 0x80;
-    if (!lined && marked)
-        paper->kind->disc(paper, x + SAMPLE / 2, y, 1.7, pencil.colour, NULL);
+    if (sign || (!lined && marked))
+        paper->kind->disc(paper, x + SAMPLE / 2, y, ring ? 1.6 : 1.7, ring ? WHITE : pencil.colour,
+                          ring ? &(Pencil){.colour = pencil.colour, .width = 0.8} : NULL);
     else
         paper->kind->line(paper, ends, 2, &pencil);
 }

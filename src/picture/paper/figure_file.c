@@ -126,11 +126,17 @@ static double usual_height(const Figure *figure, int panels)
     return (panels == 1 ? 0.56 : 0.5) * panel_width(figure, panels);
 }
 
-/* Draws the page, or measures it if there is no paper: its height follows from what is on it. */
-static double lay_out(Paper *paper, const Figure *figure, double height)
+static int rows_of(const Figure *figure)
+{
+    return (figure->count + columns_of(figure) - 1) / columns_of(figure);
+}
+
+/* Draws the page with plots of this height, 0: the usual one, or measures it if there is no paper: its height
+ * follows from what is on it. */
+static double lay_out(Paper *paper, const Figure *figure, double plot)
 {
     const bool bare = figure->bare;
-    const int columns = columns_of(figure), rows = (figure->count + columns - 1) / columns;
+    const int columns = columns_of(figure), rows = rows_of(figure);
     const double wide = panel_width(figure, figure->count), width = figure->width * MILLIMETRES - 2 * MARGIN;
     const double margin = bare ? BARE_MARGIN : MARGIN;
     const Picture *common = bare ? NULL : common_of(figure);
@@ -145,14 +151,11 @@ static double lay_out(Paper *paper, const Figure *figure, double height)
         y += draw_heat_bar(paper, common, (Box){MARGIN, y, width, 0}) + 2;
         y += draw_notes(paper, common, true, (Box){MARGIN, y, width, 0}) + 4;
     }
-    const double foot = bare ? 0 : draw_phrases(NULL, figure->parameters, whole, &small) + 6;
     for (int i = 0; i < figure->count; i++) {
         around = fmax(around, draw_panel(NULL, figure, i, (Box){0, 0, wide, 0}, alone));
         high = fmax(high, draw_plot_height(&figure->panels[i]->picture, wide));
     }
-    high = (high > 0 ? high : usual_height(figure, figure->count)) + around;
-    if (height > 0)
-        high = (height - y - foot - margin - (rows - 1) * MARGIN) / rows;
+    high = (plot > 0 ? plot : high > 0 ? high : usual_height(figure, figure->count)) + around;
     for (int i = 0; i < figure->count && paper; i++) {
         const Box box = {margin + i % columns * (wide + MARGIN), y + i / columns * (high + MARGIN), wide,
                          high};
@@ -164,6 +167,7 @@ static double lay_out(Paper *paper, const Figure *figure, double height)
     return y + margin;
 }
 
+#define PLOT_LEAST    70.0  /* points, with its axes: less is not read */
 #define WIDTH_DEFAULT 160.0 /* mm: the text of an A4 page */
 
 enum { NAME_MAX_BYTES = 48 };
@@ -382,10 +386,41 @@ bool figure_suits(const Figure *figure, const char *name, Status *status)
     return figure_allowed(name, status);
 }
 
+/* Words that a low page has no room for: parameters, then explanations, then results. False: these were all.
+ */
+static bool leave_out(Figure *figure, int which)
+{
+    if (which == 0)
+        figure->parameters[0] = '\0';
+    for (int i = 0; i < figure->count && which > 0; i++)
+        for (int k = 0; k < figure->panels[i]->picture.n_notes; k++) {
+            PictureNote *note = &figure->panels[i]->picture.notes[k];
+            note->told |= which > 1 || note->style == STYLE_FAINT;
+        }
+    return which < 3;
+}
+
 bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Status *status)
 {
+    const Format format = format_of(name);
+    const bool drawn = format != FORMAT_TEX && format != FORMAT_GP;
     OutputFile file;
-    if (!figure_suits(figure, name, status) || !output_open(&file, asker, name, force, status))
+    double plot = 0;
+    if (!figure_suits(figure, name, status))
+        return false;
+    for (int left = 0; figure->height > 0 && drawn; left++) {
+        const double words = lay_out(NULL, figure, 1) - rows_of(figure);
+        const double usual = (lay_out(NULL, figure, 0) - words) / rows_of(figure);
+        const double least = fmin(PLOT_LEAST, usual);
+        plot = (figure->height * MILLIMETRES - words) / rows_of(figure);
+        if (plot >= least)
+            break;
+        if (!leave_out(figure, left))
+            return status_refuse(status,
+                                 "%s: %g mm are too low for this page (at least %.0f, or a wider one)", name,
+                                 figure->height, ceil((words + rows_of(figure) * least) / MILLIMETRES));
+    }
+    if (!output_open(&file, asker, name, force, status))
         return false;
     /* What is compared is drawn to one measure. */
     double low = INFINITY, high = -INFINITY;
@@ -401,8 +436,7 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
         }
     const double width = figure->width * MILLIMETRES,
                  height = figure->height > 0 ? figure->height * MILLIMETRES : lay_out(NULL, figure, 0);
-    const Format format = format_of(name);
-    if (format == FORMAT_TEX || format == FORMAT_GP) {
+    if (!drawn) {
         (format == FORMAT_TEX ? figure_write_tex : figure_write_gnuplot)(file.stream, figure,
                                                                          columns_of(figure));
         return output_end(&file, true, status);
@@ -413,7 +447,7 @@ bool figure_write(Figure *figure, Asker asker, const char *name, bool force, Sta
     bool sound = paper != NULL;
     if (paper) {
         errno = 0;
-        lay_out(paper, figure, figure->height > 0 ? figure->height * MILLIMETRES : 0);
+        lay_out(paper, figure, plot);
         const bool in_want = errno == ENOMEM;
         sound = paper->kind->finish(paper, status) && (!in_want || no_memory(status));
     }
