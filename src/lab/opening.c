@@ -23,8 +23,9 @@ void opening_begin(Laboratory *lab, Experiment *experiment)
     experiment_destroy(before);
     screen->experiment = experiment;
     lab->player.pace_automatic = true;
-    /* what could be undone was of another run */
+    /* what could be undone, and what was found, was of another run */
     lab->editing.n_undo = lab->editing.n_redo = 0;
+    lab->diagnosis[0] = '\0';
     lab->editing.changed = false;
     lab->editing.anchor_step = screen->log.event = -1;
     lab->player.bookmarks.count = screen->log.first = 0;

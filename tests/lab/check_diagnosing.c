@@ -80,6 +80,12 @@ START_TEST(the_plain_sheet_keeps_the_answer)
     press(bench, "Down");
     ck_assert(bench->lab.screen.message->kind == MESSAGE_NONE && screen_is_plain(&bench->lab.screen));
     ck_assert(shows(bench, "Your code beside the right one"));
+    /* of another scenario nothing was said */
+    ck_assert_str_eq(enter(bench, "open mode5"), "");
+    ck_assert(!shows(bench, "Your code beside the right one"));
+    ck_assert_str_eq(enter(bench, "open mode1"), "");
+    ck_assert_str_eq(enter(bench, "diagnose own.csv"), "");
+    ck_assert(shows(bench, "Your code beside the right one"));
     enter(bench, "overlay");
     ck_assert(!shows(bench, "Your code beside the right one"));
     close_bench(bench);
