@@ -393,14 +393,6 @@ static void add_spin(const Answers *answers, const BodiesSeen *seen, Finding *ou
     add(out, count, "mean_stress", "mean stress", seen->pull, free ? pull / 4 : NAN, NULL);
 }
 
-/* How fast two bodies come nearer, by a row. */
-static double closing(const double *row)
-{
-    const double *const a = row + BODIES_X, *const b = a + OF_BODY;
-    const double D[2] = {b[X] - a[X], b[Y] - a[Y]}, length = sqrt(D[0] * D[0] + D[1] * D[1]);
-    return -(D[0] * (b[VX] - a[VX]) + D[1] * (b[VY] - a[VY])) / length;
-}
-
 int bodies_findings(const References *refs, const Simulation *sim, Finding out[FINDINGS_MAX])
 {
     const Answers *answers = answers_of(refs);
@@ -419,8 +411,9 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
         add(out, &n, "first_touch", "first touch", seen.met, met, NULL);
     if (walls && answers->hit != 0)
         add(out, &n, "wall_touch", "first touch of a wall", seen.hit, isfinite(hit) ? hit : NAN, NULL);
-    if (def->n_bodies == 2 && def->gravity[0] == 0 && def->gravity[1] == 0 && closing(start) > 0) {
-        const double apart = -closing(row) / closing(start);
+    if (def->n_bodies == 2 && def->gravity[0] == 0 && def->gravity[1] == 0 && bodies_closing(start) > 0) {
+        const double apart = def->fields == FIELDS_EACH ? seen.parting / seen.meeting
+                                                        : -bodies_closing(row) / bodies_closing(start);
         add(out, &n, "restitution", "restitution", apart > 0 ? apart : NAN, NAN, NULL);
     }
     const bool known = !refs->unaccounted[REFERENCE_EXACT];

@@ -86,6 +86,13 @@ void bodies_note_spin(Mpm *mpm)
     mpm->head->pull += pull;
 }
 
+double bodies_closing(const double *row)
+{
+    const double *const a = row + BODIES_X, *const b = a + BODY_COLUMNS;
+    const double D[2] = {b[0] - a[0], b[1] - a[1]}, length = sqrt(D[0] * D[0] + D[1] * D[1]);
+    return -(D[0] * (b[2] - a[2]) + D[1] * (b[3] - a[3])) / length;
+}
+
 BodiesSeen bodies_seen(const Simulation *sim)
 {
     const Mpm *mpm = mpm_of_const(sim);
@@ -96,6 +103,8 @@ BodiesSeen bodies_seen(const Simulation *sim)
                         time_of(sim, mpm->head->hit),
                         time_of(sim, mpm->head->torn),
                         bodies_largest_stretch(mpm, &at),
+                        mpm->head->meeting,
+                        mpm->head->touching[0] >> 1 & 1 ? NAN : mpm->head->parting,
                         spins ? mpm->head->inertia / steps / inertia(mpm, false) - 1.0 : NAN,
                         spins ? mpm->head->pull / steps / area : NAN};
 }

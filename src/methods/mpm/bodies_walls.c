@@ -227,7 +227,17 @@ void bodies_note_contact(Mpm *mpm)
     double sum = 0.0;
     for (int i = 0; i < mpm->grid_nodes; i++)
         sum += mpm->lost[i];
-    mpm->head->friction += sum;
+    MpmHead *head = mpm->head;
+    head->friction += sum;
+    const bool pushed = head->touching[0] >> 1 & 1, had_met = head->met > 0;
     for (int field = 0; field < mpm->n_fields; field++)
         note_pushes(mpm, field);
+    if (mpm->n_fields == 2 && pushed != (head->touching[0] >> 1 & 1)) {
+        double row[BODIES_X + 2 * BODY_COLUMNS];
+        mpm_row_of_bodies(&mpm->sim, row);
+        if (pushed)
+            head->parting = -bodies_closing(row);
+        else if (!had_met)
+            head->meeting = bodies_closing(row);
+    }
 }

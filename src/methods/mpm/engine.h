@@ -104,7 +104,8 @@ typedef struct MpmHead {
     double moment;                     /* sum m u before the last step, along a line: for x_cm_rate */
     double momentum[MPM_AXES], pushed; /* sum m v before the last step, and sum f_ext in it: for reactions */
     double friction;                   /* energy that friction of bodies has taken so far */
-    double inertia, pull; /* of a disc that spins, summed over steps: I, and sum V (sxx + syy)/2 */
+    double inertia, pull;    /* of a disc that spins, summed over steps: I, and sum V (sxx + syy)/2 */
+    double meeting, parting; /* speeds of the first two bodies, of BodiesSeen */
     long met, hit; /* the step in which two bodies pushed each other first, and one a wall; 0: not yet */
     uint32_t met_by[BODIES_MAX], parted_from[BODIES_MAX], /* of fields, since t = 0: bits of `touched` */
         touching[BODIES_MAX];                             /* and in the last step */

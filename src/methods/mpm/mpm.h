@@ -188,6 +188,8 @@ bool plane_courant_limit(const MpmDef *, double *courant, Status *);
  * of the first tear, NAN: not yet; and the largest distance of neighbours over that at t = 0. */
 typedef struct BodiesSeen {
     double met, hit, torn, stretch;
+    double meeting, parting; /* speeds of two bodies along the line of their centres, when they first pushed
+                                each other and when they last did; parting is NAN while they push */
     double growth, pull; /* of a disc that spins alone: I/I0 - 1 and sum V (sxx + syy)/2 over its area, means
                             over the steps so far; NAN: not such a disc, no step */
 } BodiesSeen;
@@ -207,6 +209,7 @@ enum {
     BODIES_X
 };
 void mpm_row_of_bodies(const Simulation *, double *row);
+double bodies_closing(const double *row); /* how fast the first two come nearer */
 
 /* A field of velocities at t = 0 in place of the bodies' own, with its gradient dv_i/dx_j in rows. */
 typedef void BodiesField(const double x[2], const void *context, double v[2], double gradient[4]);
