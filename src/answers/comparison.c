@@ -3,6 +3,7 @@
  * the order of the list at the end. A row is shown if at least one of the runs has a value. */
 #include "answers/comparison.h"
 
+#include "scenario/concern_loads.h"
 #include "scenario/concern_time.h"
 #include "scenario/settings.h"
 #include "base/text.h"
@@ -112,16 +113,20 @@ static bool fill_loss(const Standing *run, char *label, char *value)
            put(value, "%+.3f %%", 100 * (now / start - 1));
 }
 
-/* kinetic + strain over their sum at the start, where there is no E* to tell more. */
+/* kinetic + strain over their sum at the start, where there is no E* to tell more; of weight the sum, for the
+ * zero of its potential is anywhere. */
 static bool fill_total(const Standing *run, char *label, char *value)
 {
     const int total = experiment_column(run->experiment, "total");
     const double *row = experiment_row(run->experiment);
     const Record *record = experiment_record(run->experiment);
+    const bool weight = settings_loads(experiment_settings(run->experiment))->gravity != 0;
     double now, start;
-    snprintf(label, COMPARISON_TEXT_MAX, "energy, of start");
+    snprintf(label, COMPARISON_TEXT_MAX, weight ? "energy" : "energy, of start");
     if (experiment_invariant(run->experiment, &now, &start))
         return false; /* E* has it */
+    if (weight && total >= 0 && row)
+        return put(value, "%.4g", row[total]);
     if (total < 0 || !row || record->count == 0 || !(record_row(record, 0)[total] > 0))
         return false;
     return put(value, "%.2f %%", 100 * row[total] / record_row(record, 0)[total]);
