@@ -389,9 +389,9 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     else if (has_waves(screen) && variant > 0)
         waves_plane_describe(screen, variant == 2, picture);
     else if (settings->problem->concerns & CONCERN_NOTCH)
-        picture_say(picture, "convergence", "%s", text);
+        picture_say(picture, "period", "%s", text);
     else if (!experiment_readout(screen->experiment)->moving)
-        picture_say(picture, "convergence", "Nothing vibrates here: there is no period to measure.");
+        picture_say(picture, "period", "Nothing vibrates here: there is no period to measure.");
     else {
         const Readout *readout = experiment_readout(screen->experiment);
         const bool bonds = screen_has(screen, HAS_BONDS);

@@ -263,7 +263,7 @@ static void describe(const Screen *screen, int variant, Picture *picture)
     const int column = column_of(screen, variant, &fast);
     const Column *columns = experiment_columns(screen->experiment, &n);
     if (column < 0) {
-        picture_heading(picture, "spectrum");
+        picture_say(picture, "spectrum", "There is no frequency to look for here.");
         return;
     }
     const Quantity *quantity = &columns[column].quantity;

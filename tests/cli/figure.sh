@@ -240,6 +240,8 @@ result "then it is another" sh -c '! cmp -s a.svg c.svg'
 expect "no view" 2 mode1 --output x.svg
 expect "no file" 2 mode1 --view probe
 expect "a folder that is not there" 2 notched-beam --view probe --output none/x.svg
+expect "bodies have no spectrum" 1 two-discs --end 0.1 --view spectrum --output x.svg
+result "and it says so" says err '^matvib: spectrum: nothing to draw: There is no frequency to look for here\.$'
 expect "nothing to draw" 1 mode1 --end 0.1 --view spectrum --output x.svg
 result "says why" says err 'needs more time'
 expect "another run that is the same" 2 mode1 --view probe --against initial.mode=1 --output x.svg
