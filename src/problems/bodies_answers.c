@@ -446,8 +446,8 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
         wall_meets(def, &def->bodies[0], WALL_BOTTOM, closeness(def)) <= answers->hit) {
         const double up = row[BODIES_X + VY];
         add(out, &n, "bounce_height", "height of the bounce",
-            isfinite(seen.hit) && up > 0 ? row[BODIES_X + Y] - up * up / (2 * def->gravity[1]) : NAN, NAN,
-            NULL); /* a part of the motion becomes vibration: its start is not an answer */
+            isfinite(seen.hit) && !seen.on_floor ? row[BODIES_X + Y] - up * up / (2 * def->gravity[1]) : NAN,
+            NAN, NULL); /* a part of the motion becomes vibration: its start is not an answer */
     }
     if (known && isfinite(seen.growth))
         add_spin(answers, &seen, out, &n);

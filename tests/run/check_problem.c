@@ -1032,6 +1032,11 @@ START_TEST(a_bounce_is_told)
     ck_assert_double_eq_tol(found(run, "wall_touch").measured, sqrt(0.08), 0.01);
     const double height = found(run, "bounce_height").measured;
     ck_assert(height > 0.45 && height < 0.6 && isnan(now(run, "disc.y_exact")));
+    Experiment *on_floor = at_time(&settings, 0.35), *falling = at_time(&settings, 0.6);
+    ck_assert(isnan(found(on_floor, "bounce_height").measured));
+    ck_assert_double_eq_tol(found(falling, "bounce_height").measured, height, 1e-3);
+    experiment_destroy(on_floor);
+    experiment_destroy(falling);
     experiment_destroy(flying);
     experiment_destroy(run);
     set(&settings, "damping.rate", "3");

@@ -190,6 +190,7 @@ typedef struct BodiesSeen {
     double met, hit, torn, stretch;
     double meeting, parting; /* speeds of two bodies along the line of their centres, when they first pushed
                                 each other and when they last did; parting is NAN while they push */
+    bool on_floor;           /* the first body pushes the bottom wall */
     double growth, pull; /* of a disc that spins alone: I/I0 - 1 and sum V (sxx + syy)/2 over its area, means
                             over the steps so far; NAN: not such a disc, no step */
 } BodiesSeen;
