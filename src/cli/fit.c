@@ -35,16 +35,22 @@ static bool choose_column(Data *data, const Options *options, const Settings *se
     if (!simulation)
         return false;
     char known[160] = "";
+    const char *first = NULL; /* column of the table that has a name of ours */
     for (int i = 0; i < simulation->n_series; i++) {
         const char *name = simulation->series[i].name;
         text_list_add(known, sizeof known, name);
-        for (int c = 0; c < data->table.n_columns && !options->column && !data->column; c++)
+        for (int c = 0; c < data->table.n_columns && !first; c++)
             if (strcmp(data->table.columns[c].name, name) == 0)
-                data->column = data->table.columns[c].name;
+                first = data->table.columns[c].name;
         if (options->column && strcmp(options->column, name) == 0)
             data->column = options->column;
     }
     simulation_destroy(simulation);
+    if (!options->column)
+        data->column = first;
+    else if (data->column && first && data->table.n_columns == 2 && strcmp(first, data->column) != 0)
+        return status_refuse(status, "%s: its column is %.60s, not %.60s", data->table.file, first,
+                             data->column);
     if (!data->column)
         return status_refuse(status, "--column: %.60s is not a column of the series (%s)",
                              options->column ? options->column : "(none of the table)", known);

@@ -51,6 +51,8 @@ result "are told by their correlation" says out '^correlation of bar.youngs_modu
 printf 't;u\n0;0,0071\n0,1;0,0061\n0,2;0,0035\n0,3;0,0002\n' >own.csv
 expect "a table with names of its own" 0 mode5 --data own.csv --vary initial.velocity --column v_cm
 result "is fitted too" says out '^v_cm, 4 data'
+cut -d, -f2,3 d.csv >one.csv
+refuse "a column that the table has not" "one.csv: its column is v_cm, not kinetic" mode5 --data one.csv --vary bar.density --column kinetic
 
 refuse "table and picture in one file" "$(pwd -P)/t.svg: two outputs cannot be the same file" mode5 --data d.csv --vary bar.density --output t.svg --figure ./t.svg
 refuse "over its data" "d.csv: the output would overwrite an input" mode5 --data d.csv --vary bar.density --output d.csv --force
