@@ -128,6 +128,13 @@ def _fields(row):
 
 def fit(scenario, data, vary, **options):
     """The parameters that a measured series asks for: path of the CSV file, keys to vary. A dict of quantities by name, each
-    with value, unit and, of a parameter, half_width_95 and began_at."""
+    with value, unit and, of a parameter, half_width_95 and began_at; "correlation" is a list with one for each pair."""
     answer = json.loads(_call(_words("fit", scenario, data=os.fspath(data), vary=_text(vary), json=True, **options)))
-    return {item.pop("name"): item for item in answer["quantities"]}
+    found = {"correlation": []}
+    for item in answer["quantities"]:
+        name = item.pop("name")
+        if name == "correlation":
+            found[name].append(item)
+        else:
+            found[name] = item
+    return found

@@ -52,6 +52,12 @@ fitted = matvib.fit("mode1", "own.csv", ["bar.youngs_modulus"], set={"bar.youngs
 assert abs(fitted["bar.youngs_modulus"]["value"] - 100) < 1e-3, fitted
 assert fitted["bar.youngs_modulus"]["half_width_95"] >= 0 and fitted["bar.youngs_modulus"]["began_at"] == 90, fitted
 END
+python "each pair of parameters has a correlation" <<'END'
+import matvib
+fitted = matvib.fit("mode1", "own.csv", ["bar.youngs_modulus", "bar.density", "initial.velocity"], steps=20)
+pairs = [(pair["of"], pair["and"]) for pair in fitted["correlation"]]
+assert len(set(pairs)) == 3 and ("bar.youngs_modulus", "bar.density") in pairs, fitted
+END
 python "a refusal is an exception with the message and its status" <<'END'
 import matvib
 try:
