@@ -89,11 +89,14 @@ bool edit_change_runs(Laboratory *lab, const Settings *settings, DuelChange verb
     size_t *chosen = &lab->screen.chosen.particle;
     const Simulation *sim = laboratory_simulation(lab);
     const size_t before = sim->counts[0];
+    const Parameter *parameter = edit_selected(&lab->screen);
     double place[SIMULATION_DIMENSIONS_MAX] = {0};
     if (*chosen < before)
         place_of(sim, *chosen, place);
     if (!duel_change(&lab->player.duel, settings, verb, status))
         return false;
+    if (parameter) /* another method has other parameters above it */
+        lab->parameters.selected = screen_row_of(&lab->screen, parameter);
     sim = laboratory_simulation(lab);
     if (*chosen >= before || sim->counts[0] == before)
         return true;

@@ -38,7 +38,8 @@ bool edit_answer_filter(Laboratory *, const char *text, Status *);
 /* New parameters, undoable. False: refused, the status says why. */
 bool edit_change(Laboratory *, const Settings *, DuelChange, Status *);
 
-/* duel_change(), not undoable; the chosen particle stays the one nearest to where it was at first. */
+/* duel_change(), not undoable; the chosen parameter stays chosen, and the particle is the one nearest to
+ * where the chosen one was at first. */
 bool edit_change_runs(Laboratory *, const Settings *, DuelChange, Status *);
 void edit_changed(Laboratory *); /* what follows from it */
 
