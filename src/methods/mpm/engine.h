@@ -488,14 +488,7 @@ void mpm_explain(const Simulation *, int stage, int set, size_t index, const voi
 
 double mpm_energy(const Mpm *);                  /* kinetic + strain */
 double mpm_strain_at(const Mpm *, int particle); /* strain energy, in the plane */
-/* A sum over particles is made of four, which are added in their order: particle p counts in p % 4. */
-enum { MPM_LANES = 4 };
-static inline double mpm_fold(const double *lanes)
-{
-    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
-
-double mpm_sum(const Mpm *, const double *of); /* sum m a over all particles: of v the momentum */
+double mpm_sum(const Mpm *, const double *of);   /* sum m a over all particles: of v the momentum */
 void mpm_row(Simulation *, double *row);
 /* With the grid as it stands after map and supports, if it needs it; one that is not whole has no
  * kinetic_null. */

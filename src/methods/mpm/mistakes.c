@@ -7,14 +7,17 @@
 
 /* --- the rows --------------------------------------------------------------------------------------- */
 
+/* What it is defined for, beside lumped masses and one material; of FLIP also shares of PIC. */
+enum { USF, MUSL, HAT, GIMP, FLIP, APIC, LINE, HYPOELASTIC, TURNING, CONTACT, TOUCHING };
+#define ONLY(what) (1u << (what))
+
 typedef struct Mistake {
     const char *id, *sentence;
     MpmOp stage;
-    /* the lines of the stage as this code has it, what differs between marks (STAGE_WRONG in method.h) */
-    const char *equation;
-    uint64_t does; /* WRONG_... */
-    unsigned only; /* ONLY_... */
-    MpmOp also;    /* another stage that has it too, with its line; equation NULL: none */
+    const char *equation; /* what differs between marks (STAGE_WRONG in method.h) */
+    uint64_t does;        /* DOES() */
+    unsigned only;        /* ONLY() */
+    MpmOp also;           /* another stage that has it too, with its line; equation NULL: none */
     const char *also_equation;
 } Mistake;
 
@@ -85,7 +88,6 @@ static const uint64_t alternatives[] = {
 
 bool mpm_check_mistakes(const MpmDef *def, Status *status)
 {
-    enum { ALL = -1 };
     const bool bodies = def->problem == MPM_BODIES, bar = def->problem == MPM_BAR;
     const char *const key = bodies ? "mpm.body_mistake" : "mpm.mistake";
     const Mistake *row = mistake_of(def->problem, def->mistake),
@@ -98,34 +100,34 @@ bool mpm_check_mistakes(const MpmDef *def, Status *status)
         apart = apart && (first == 0 || second == 0 || first == second);
     }
     const struct {
-        int only;
+        unsigned only; /* 0: all */
         bool fits;
         const char *other;
     } conditions[] = {
-        {ONLY_LINE | ONLY_APIC, bar, "bars"},
-        {ONLY_USF, def->algorithm == MPM_USF, "mpm.algorithm = usf"},
-        {ONLY_MUSL, def->algorithm == MPM_MUSL, "mpm.algorithm = musl"},
-        {ONLY_HAT, def->shape == MPM_HAT, "mpm.shape = hat"},
-        {ONLY_GIMP, def->shape == MPM_GIMP, "mpm.shape = gimp"},
-        {ONLY_HYPOELASTIC, def->law == LAW_HYPOELASTIC, "material.law = hypoelastic"},
-        {ONLY_TURNING, def->rotation == ROTATION_JAUMANN, "mpm.rotation = jaumann"},
-        {ONLY_CONTACT, def->fields == FIELDS_EACH && def->n_bodies > 1,
+        {ONLY(LINE) | ONLY(APIC), bar, "bars"},
+        {ONLY(USF), def->algorithm == MPM_USF, "mpm.algorithm = usf"},
+        {ONLY(MUSL), def->algorithm == MPM_MUSL, "mpm.algorithm = musl"},
+        {ONLY(HAT), def->shape == MPM_HAT, "mpm.shape = hat"},
+        {ONLY(GIMP), def->shape == MPM_GIMP, "mpm.shape = gimp"},
+        {ONLY(HYPOELASTIC), def->law == LAW_HYPOELASTIC, "material.law = hypoelastic"},
+        {ONLY(TURNING), def->rotation == ROTATION_JAUMANN, "mpm.rotation = jaumann"},
+        {ONLY(CONTACT), def->fields == FIELDS_EACH && def->n_bodies > 1,
          "contact.fields = each and two bodies"},
-        {ONLY_TOUCHING, touching, "walls or two bodies"},
-        {ONLY_FLIP, def->transfer == MPM_FLIP, "mpm.transfer = flip"},
-        {ONLY_APIC, def->transfer == MPM_APIC, "mpm.transfer = apic"},
-        {ALL, !bar || def->transfer != MPM_FMPM, "mpm.transfer = flip or apic"},
-        {ALL, !((row->does | beside->does) & DOES(BOX_WHOLE)) || def->particles_per_cell > 1,
+        {ONLY(TOUCHING), touching, "walls or two bodies"},
+        {ONLY(FLIP), def->transfer == MPM_FLIP, "mpm.transfer = flip"},
+        {ONLY(APIC), def->transfer == MPM_APIC, "mpm.transfer = apic"},
+        {0, !bar || def->transfer != MPM_FMPM, "mpm.transfer = flip or apic"},
+        {0, !((row->does | beside->does) & DOES(BOX_WHOLE)) || def->particles_per_cell > 1,
          "mesh.particles_per_cell of 2 or more"},
-        {ALL, !bar || def->mass_blend == 1.0, "mpm.mass_blend = 1"},
-        {ALL, !bar || def->joint == 0.0, "bar2.joint = 0"},
-        {ALL, !def->forces, "the forces of [load]"},
+        {0, !bar || def->mass_blend == 1.0, "mpm.mass_blend = 1"},
+        {0, !bar || def->joint == 0.0, "bar2.joint = 0"},
+        {0, !def->forces, "the forces of [load]"},
     };
     if (def->mistake_beside != 0 && !apart)
         return status_refuse(status, "%s: these two cannot be combined", key);
     for (size_t k = 0; def->mistake != 0 && k < sizeof conditions / sizeof *conditions; k++)
-        if ((conditions[k].only == ALL || ((row->only | beside->only) & (unsigned)conditions[k].only)) &&
-            !conditions[k].fits)
+        if (!conditions[k].fits &&
+            (conditions[k].only == 0 || (row->only | beside->only) & conditions[k].only))
             return status_refuse(status, "%s: %s is defined for %s only", key,
                                  def->conceals_mistake ? "?" : row->id, conditions[k].other);
     return true;

@@ -37,61 +37,31 @@
 #include <stdio.h>
 #include <string.h>
 
-/* sum m D C^2 / 2 with D = sum N_i d_i^2, d_i = x_i - x: the energy of APIC's affine motion. */
-static double affine_energy(const Mpm *mpm, int p)
+/* A sum over particles [first, end) is made of four, which are added in their order. Does something for each
+ * particle p and its sum `lane`. */
+enum { LANES = 4 };
+#define IN_LANES(first, end, ...)                                                                            \
+    do {                                                                                                     \
+        int block = first;                                                                                   \
+        for (; block + LANES <= (end); block += LANES)                                                       \
+            for (int lane = 0, p = block; lane < LANES; lane++, p++)                                         \
+                __VA_ARGS__                                                                                  \
+        for (int lane = 0, p = block; p < (end); lane++, p++)                                                \
+            __VA_ARGS__                                                                                      \
+    } while (0)
+
+static double fold(const double *lanes)
 {
-    double n[SHAPE_SUPPORT_MAX], slopes[SHAPE_SUPPORT_MAX], spread = 0.0;
-    const int base = mpm->base[p];
-    shape_at(mpm->shape, mpm_half(mpm, p), mpm->cells, base, mpm->s[0][p], n, slopes);
-    for (int a = 0; a < mpm->support; a++) {
-        const double arm = shape_node_offset(mpm->shape, mpm->half, mpm->cells, base, a) - mpm->s[0][p];
-        spread += n[a] * (arm * arm);
-    }
-    const double speed = mpm->affine[p] * mpm->dx;
-    return 0.5 * mpm_mass(mpm, p) * (spread * (speed * speed));
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
 }
 
-/* sum m a over particles [first, end) of one material */
-static double sum_material(const Mpm *mpm, const double *a, int which, int first, int end)
-{
-    double sum[MPM_LANES] = {0};
-    int p = first;
-    for (; p + MPM_LANES <= end; p += MPM_LANES)
-        for (int lane = 0; lane < MPM_LANES; lane++)
-            sum[lane] += a[p + lane];
-    for (int lane = 0; p + lane < end; lane++)
-        sum[lane] += a[p + lane];
-    return mpm->mass[which] * mpm_fold(sum);
-}
-
+/* One material after the other. */
 double mpm_sum(const Mpm *mpm, const double *a)
 {
-    const double first = sum_material(mpm, a, 0, 0, mpm->joint);
-    return mpm->joint < mpm->n_particles ? first + sum_material(mpm, a, 1, mpm->joint, mpm->n_particles)
-                                         : first;
-}
-
-typedef struct Energies {
-    double kinetic, strain;
-} Energies;
-
-/* Of particles [first, end) of one material, along a line. */
-static Energies energies_of_material(const Mpm *mpm, int which, int first, int end)
-{
-    double squares[MPM_LANES] = {0}, strain[MPM_LANES] = {0};
-    const double *const v = mpm->v[0], *const stress = mpm->stress[0], *const volume = mpm->volume;
-    int p = first;
-    for (; p + MPM_LANES <= end; p += MPM_LANES)
-        for (int lane = 0; lane < MPM_LANES; lane++) {
-            squares[lane] += v[p + lane] * v[p + lane];
-            strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
-        }
-    for (int lane = 0; p + lane < end; lane++) {
-        squares[lane] += v[p + lane] * v[p + lane];
-        strain[lane] += stress[p + lane] * stress[p + lane] * volume[p + lane];
-    }
-    return (Energies){0.5 * mpm->mass[which] * mpm_fold(squares),
-                      mpm_fold(strain) / (2.0 * mpm->modulus[which])};
+    double first[LANES] = {0}, second[LANES] = {0};
+    IN_LANES(0, mpm->joint, first[lane] += a[p];);
+    IN_LANES(mpm->joint, mpm->n_particles, second[lane] += a[p];);
+    return mpm->mass[0] * fold(first) + mpm->mass[1] * fold(second);
 }
 
 /* Of a beam in plane stress s.D^-1 s/2 times its volume, J. */
@@ -116,13 +86,12 @@ double mpm_strain_at(const Mpm *mpm, int p)
     return (direct / (2 * def->youngs_modulus) + xy * xy / (2 * G)) * mpm->volume[p] * def->thickness;
 }
 
-/* Sums over the particles of a body. */
-typedef struct BodySums {
-    double x, y, vx, vy, turn, inertia; /* sum x, ..., sum x v_y - y v_x, sum x^2 + y^2 */
-    double squares, strain, affine;     /* sum v^2, strain energies, sum B_yx - B_xy */
-} BodySums;
+typedef struct Energies {
+    double kinetic, strain;
+} Energies;
 
-/* Of beams and bodies without the common speed. */
+/* Of beams and bodies without the common speed; of bars a material after the other, and with APIC the energy
+ * of its affine motion, sum m D C^2/2 with D = sum N_i d_i^2, d_i = x_i - x. */
 static Energies energies_of(const Mpm *mpm)
 {
     Energies sums = {0};
@@ -132,17 +101,29 @@ static Energies energies_of(const Mpm *mpm)
         sums.strain += mpm_strain_at(mpm, p);
     }
     sums.kinetic *= mpm->mass[0] / 2 * mpm->def.thickness;
-    if (mpm->dim == 2)
-        return sums;
-    sums = energies_of_material(mpm, 0, 0, mpm->joint);
-    if (mpm->joint < mpm->n_particles) {
-        const Energies more = energies_of_material(mpm, 1, mpm->joint, mpm->n_particles);
-        sums.kinetic += more.kinetic;
-        sums.strain += more.strain;
+    for (int k = 0; mpm->dim == 1 && k < (mpm->joint < mpm->n_particles ? 2 : 1); k++) {
+        const int first = k * mpm->joint, end = k ? mpm->n_particles : mpm->joint;
+        const double *const v = mpm->v[0], *const stress = mpm->stress[0], *const volume = mpm->volume;
+        double squares[LANES] = {0}, strain[LANES] = {0};
+        IN_LANES(first, end, {
+            squares[lane] += v[p] * v[p];
+            strain[lane] += stress[p] * stress[p] * volume[p];
+        });
+        sums.kinetic += 0.5 * mpm->mass[k] * fold(squares);
+        sums.strain += fold(strain) / (2.0 * mpm->modulus[k]);
     }
     const bool affine = mpm->head->transfer == MPM_APIC && !mpm_does(mpm, WRONG_PLAIN_KINETIC);
-    for (int p = 0; affine && p < mpm->n_particles; p++)
-        sums.kinetic += affine_energy(mpm, p);
+    for (int p = 0; mpm->dim == 1 && affine && p < mpm->n_particles; p++) {
+        const MpmWeights w = mpm_weights_of(mpm, p);
+        const double speed = mpm->affine[p] * mpm->dx;
+        double spread = 0.0;
+        for (int a = 0; a < mpm->support; a++) {
+            const double arm =
+                shape_node_offset(mpm->shape, mpm->half, mpm->cells, mpm->base[p], a) - mpm->s[0][p];
+            spread += w.n[0][a] * (arm * arm);
+        }
+        sums.kinetic += 0.5 * mpm_mass(mpm, p) * (spread * (speed * speed));
+    }
     return sums;
 }
 
@@ -162,12 +143,10 @@ static double reaction(const Mpm *mpm, int axis)
 }
 
 /* The probe is the mean of up to four particles beside the point. */
-static double probe(const Mpm *mpm, const double *values)
+static double probe(const Mpm *mpm, const double *of)
 {
-    double sum = 0.0;
-    for (int k = 0; k < 4; k++)
-        sum += values[mpm->probe[k]];
-    return sum / 4.0;
+    const int *const at = mpm->probe;
+    return (of[at[0]] + of[at[1]] + of[at[2]] + of[at[3]]) / 4.0;
 }
 
 /* What the columns of a row are worked out from. */
@@ -366,30 +345,32 @@ void mpm_row_of_bodies(const Simulation *sim, double *row)
         row[k] = 0.0;
     for (int body = 0; body < def->n_bodies; body++) {
         const double count = mpm->first[body + 1] - mpm->first[body];
-        BodySums sum = {0};
+        double sum[4] = {0}, squares = 0.0, strain = 0.0, gained = 0.0;
+        double turn = 0.0, inertia = 0.0; /* sum x v_y - y v_x, sum x^2 + y^2 */
         for (int p = mpm->first[body]; p < mpm->first[body + 1]; p++) {
             const double x = mpm->at[0][p] + mpm->u[0][p], y = mpm->at[1][p] + mpm->u[1][p];
-            const double vx = mpm->v[0][p], vy = mpm->v[1][p];
-            sum.x += x, sum.y += y, sum.vx += vx, sum.vy += vy;
-            sum.turn += x * vy - y * vx;
-            sum.inertia += x * x + y * y;
-            sum.squares += vx * vx + vy * vy;
-            sum.strain += mpm_strain_at(mpm, p);
-            sum.affine += mpm->rate[2][p] - mpm->rate[1][p];
+            const double vx = mpm->v[0][p], vy = mpm->v[1][p], values[] = {x, y, vx, vy};
+            for (int k = 0; k < 4; k++)
+                sum[k] += values[k];
+            turn += x * vy - y * vx;
+            inertia += x * x + y * y;
+            squares += vx * vx + vy * vy;
+            strain += mpm_strain_at(mpm, p);
+            gained += mpm->rate[2][p] - mpm->rate[1][p];
         }
-        row[BODIES_KINETIC] += 0.5 * m * sum.squares;
-        row[BODIES_STRAIN] += sum.strain;
-        row[BODIES_POTENTIAL] -= m * (def->gravity[0] * sum.x + def->gravity[1] * sum.y);
-        row[BODIES_MOMENTUM_X] += m * sum.vx;
-        row[BODIES_MOMENTUM_Y] += m * sum.vy;
-        row[BODIES_ANGULAR] += m * (sum.turn - 0.5 * (def->length * sum.vy - def->height * sum.vx));
-        affine += m * sum.affine;
+        row[BODIES_KINETIC] += 0.5 * m * squares;
+        row[BODIES_STRAIN] += strain;
+        row[BODIES_POTENTIAL] -= m * (def->gravity[0] * sum[0] + def->gravity[1] * sum[1]);
+        row[BODIES_MOMENTUM_X] += m * sum[2];
+        row[BODIES_MOMENTUM_Y] += m * sum[3];
+        row[BODIES_ANGULAR] += m * (turn - 0.5 * (def->length * sum[3] - def->height * sum[2]));
+        affine += m * gained;
         /* its centre, its mean velocity, its spin */
         double *const own = row + BODIES_X + body * BODY_COLUMNS;
-        const double x = sum.x / count, y = sum.y / count, vx = sum.vx / count, vy = sum.vy / count;
-        const double turn = sum.turn - count * (x * vy - y * vx),
-                     inertia = sum.inertia - count * (x * x + y * y);
-        own[0] = x, own[1] = y, own[2] = vx, own[3] = vy;
+        for (int k = 0; k < 4; k++)
+            own[k] = sum[k] / count;
+        turn -= count * (own[0] * own[3] - own[1] * own[2]);
+        inertia -= count * (own[0] * own[0] + own[1] * own[1]);
         own[4] = inertia > 0.0 ? turn / inertia : 0.0;
     }
     if (mpm->head->transfer == MPM_APIC)
