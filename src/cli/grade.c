@@ -23,13 +23,14 @@
 
 enum { ROSTER_BYTES_MAX = 10000000, LINE_BYTES = 4096, CELLS_MAX = 64 };
 
-typedef enum Role { ROLE_NAME, ROLE_FIRST, ROLE_LAST, ROLE_ID, ROLES } Role;
+typedef enum Role { ROLE_NAME, ROLE_FIRST, ROLE_LAST, ROLE_ID, ROLE_ADDRESS, ROLES } Role;
 
 /* What a column is called, the better words first. */
 static const char *const role_heads[ROLES][5] = {{"Full name", "Name"},
                                                  {"First name", "Given name"},
                                                  {"Surname", "Last name", "Family name"},
-                                                 {"ID number", "ID", "Email address", "Username"}};
+                                                 {"ID number", "ID", "Email address", "Username"},
+                                                 {"Email address"}};
 
 typedef struct Roster {
     InputLines lines;
@@ -102,9 +103,9 @@ static bool read_head(Roster *roster, Status *status)
                 roster->lines.name));
 }
 
-/* Reads names and ID numbers from a table with a head ("Full name", or "First name" and "Surname"; "ID
- * number" or "Email address" where there is one), its cells separated by commas, semicolons or tabs. False:
- * "FILE:LINE: what is wrong (what is allowed)". */
+/* Reads names, ID numbers and addresses from a table with a head ("Full name", or "First name" and "Surname";
+ * "ID number" or "Email address" where there is one), its cells separated by commas, semicolons or tabs.
+ * False: "FILE:LINE: what is wrong (what is allowed)". */
 static bool roster_read(const char *file, Students *students, Status *status)
 {
     FILE *stream = input_open(file, ROSTER_BYTES_MAX, status);
@@ -114,13 +115,15 @@ static bool roster_read(const char *file, Students *students, Status *status)
     InputGot got = INPUT_LINE;
     bool sound = read_head(&roster, status);
     while (sound && (got = read_row(&roster, status)) == INPUT_LINE) {
-        char whole[LINE_BYTES], name[STUDENT_MAX], id[STUDENT_MAX] = "";
+        char whole[LINE_BYTES], name[STUDENT_MAX], id[STUDENT_MAX] = "", address[STUDENT_MAX] = "";
         snprintf(whole, sizeof whole, "%s %s %s", cell_of(&roster, ROLE_NAME),
                  roster.at[ROLE_NAME] < 0 ? cell_of(&roster, ROLE_FIRST) : "",
                  roster.at[ROLE_NAME] < 0 ? cell_of(&roster, ROLE_LAST) : "");
         sound = (variant_student(whole, name, status) &&
                  (!*cell_of(&roster, ROLE_ID) || variant_student(cell_of(&roster, ROLE_ID), id, status)) &&
-                 students_enrol(students, name, id, status)) ||
+                 (!*cell_of(&roster, ROLE_ADDRESS) ||
+                  variant_student(cell_of(&roster, ROLE_ADDRESS), address, status)) &&
+                 students_enrol(students, name, *id ? id : address, address, status)) ||
                 status_prefix(status, "%s:%ld", roster.lines.name, roster.lines.number);
     }
     fclose(stream);

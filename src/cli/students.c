@@ -6,9 +6,10 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 struct Student {
-    char name[STUDENT_MAX], id[STUDENT_MAX], remark[GRADING_REMARK_MAX];
+    char name[STUDENT_MAX], id[STUDENT_MAX], address[STUDENT_MAX], remark[GRADING_REMARK_MAX];
     bool listed;  /* in the list of the class */
     int came;     /* sessions, */
     int sessions; /* and those that are marked */
@@ -21,7 +22,8 @@ static Student *find(const Students *students, const char *name, const char *id)
     for (int i = 0; i < students->count; i++) {
         Student *student = &students->list[i];
         const bool same_name = strcmp(student->name, name) == 0, have_ids = *student->id && *id;
-        if (have_ids ? strcmp(student->id, id) == 0 && (same_name || student->listed) : same_name)
+        const bool same_id = strcasecmp(student->id, id) == 0 || strcasecmp(student->address, id) == 0;
+        if (have_ids ? same_id && (same_name || student->listed) : same_name)
             return student;
     }
     return NULL;
@@ -42,13 +44,16 @@ static Student *add(Students *students, const char *name, const char *id, Status
     return student;
 }
 
-bool students_enrol(Students *students, const char *name, const char *id, Status *status)
+bool students_enrol(Students *students, const char *name, const char *id, const char *address, Status *status)
 {
     if (find(students, name, id))
         return status_refuse(status, "%s: listed twice (give each an ID number)", name);
     Student *student = add(students, name, id, status);
     students->listed = true;
-    return student && (student->listed = true);
+    if (!student)
+        return false;
+    snprintf(student->address, sizeof student->address, "%s", address);
+    return student->listed = true;
 }
 
 const char *students_missing(const Students *students, int *at)
@@ -70,7 +75,7 @@ bool students_add(Students *students, const Lesson *lesson, const Grades *grades
         student = add(students, grades->student, grades->id, status);
     if (!student)
         return false;
-    if (*grades->id)
+    if (!*student->id)
         snprintf(student->id, sizeof student->id, "%s", grades->id);
     student->came++;
     if (*grades->remark && !strstr(student->remark, grades->remark))

@@ -15,8 +15,9 @@ typedef struct Students {
     bool listed; /* a list of the class was read first */
 } Students;
 
-/* One of the list of the class, of whom there is a row even if no session comes. */
-bool students_enrol(Students *, const char *name, const char *id, Status *);
+/* One of the list of the class, of whom there is a row even if no session comes; its address ("": none) is as
+ * good as its ID. */
+bool students_enrol(Students *, const char *name, const char *id, const char *address, Status *);
 
 /* Who has the same name, and no other ID, is the same student; so is who has the ID of one of the list. A
  * number or a goal is right where one session has it right; a choice where one has it right and none has it

@@ -227,6 +227,9 @@ bo@example.org,Bo Other,0,1,
 18,Zoë Ångström,1,1,not in the list of the class
 END
 result "each has a row, in the list's order, by ID where the name is another" diff listed.right listed
+result "one with an address" does "Zoe" Z@example.org address.session
+expect "who has it in the list" 0 points.lesson address.session --roster class.csv --moodle address.csv --output /dev/null
+result "is that student" says address.csv '^17,Zoë Ångström,.*,1,$'
 result "who is missing has one among the marks" says listed.rows '^Karl Missing,,,,,,,,missing$'
 result "the list is read and stays" grep -q Karl class.csv
 printf 'Name;Group\nKarl;A\n' >names.csv
