@@ -99,7 +99,8 @@ static void click(Laboratory *lab, int x, int y)
     lab->held.drag_x = x;
     if (row == lab->parameters.selected)
         laboratory_command(lab, COMMAND_ENTER);
-    lab->parameters.selected = row;
+    else
+        lab->parameters.selected = row;
 }
 
 /* A value gets smaller to the left and larger to the right; the time follows the mouse. */
