@@ -9,20 +9,55 @@
 
 #include "methods/mpm/engine.h"
 
-/* What such a code does: the rows that have a flag say it in words. One of the start is in the start or in a
- * factor and cannot come in mid-run. */
-#define WRONGS                                                                                               \
-    WRONG_OF_START, WRONG_STARTS_AT_CENTRES, WRONG_STARTS_AS_HELD, WRONG_MASS_OF_CELL, WRONG_BOX_WHOLE,      \
-        WRONG_BOX_QUARTER, WRONG_STAYS_IN_CELL, WRONG_KEEPS_GRID, WRONG_KEEPS_INTEGRATED, WRONG_KEEPS_TWICE, \
-        WRONG_HOLDS_NEXT, WRONG_HOLDS_LATE, WRONG_HOLDS_NEVER, WRONG_NO_SECOND_FIX, WRONG_HELD_YIELD,        \
-        WRONG_HELD_PULL, WRONG_NO_SPAN, WRONG_SLOPE_UNSCALED, WRONG_SLOPE_OF_STRAIN, WRONG_SLOPE_OF_FORCE,   \
-        WRONG_ONLY_NEWEST, WRONG_VOLUME_STAYS, WRONG_VOLUME_DIVIDED, WRONG_VOLUME_OF_CELL,                   \
-        WRONG_VOLUME_IS_MASS, WRONG_VOLUME_OF_START, WRONG_NO_VOLUME, WRONG_VOLUME_LATE,                     \
-        WRONG_STRESS_BEFORE, WRONG_STRESS_OF_NEXT, WRONG_PUSHES, WRONG_HALF_FIRST_KICK, WRONG_NEW_WEIGHTS,   \
-        WRONG_MOVES_BY_ITSELF, WRONG_MOVES_WITH_OLD, WRONG_MOVES_WITH_MEAN, WRONG_MOVES_WITH_MAPPED,         \
-        WRONG_AFFINE_OF_BSPLINE, WRONG_AFFINE_UNDIVIDED, WRONG_PLAIN_KINETIC, WRONG_SPIN_SIGN,               \
-        WRONG_NO_ROTATION, WRONG_TENSOR_SHEAR, WRONG_NORMAL_OF_ONE, WRONG_START_LATE, WRONG_NO_FIRST_FIX
-enum { WRONGS };
+/* What such a code does. */
+enum {
+    WRONG_OF_START,          /* it is in the start or in a factor: it cannot come in mid-run */
+    WRONG_STARTS_AT_CENTRES, /* velocities at t = 0 are those of the cells' centres */
+    WRONG_STARTS_AS_HELD,    /* they are modes of a bar whose right end is held as the left one is */
+    WRONG_MASS_OF_CELL,      /* a particle's mass is that of a cell */
+    WRONG_BOX_WHOLE,         /* the half-width of a uGIMP box is its width, */
+    WRONG_BOX_QUARTER,       /* or half of itself */
+    WRONG_STAYS_IN_CELL,     /* a particle's nodes are for ever those of its first cell */
+    WRONG_KEEPS_GRID,        /* the nodes' masses and momenta are added to those of the step before */
+    WRONG_KEEPS_INTEGRATED,  /* MUSL: what stays of momenta is from before the second map, */
+    WRONG_KEEPS_TWICE,       /* or the second map adds to it */
+    WRONG_HOLDS_NEXT,        /* the nodes one further in are held, and they alone */
+    WRONG_HOLDS_LATE,        /* the momenta of held nodes are taken away after the strain, */
+    WRONG_HOLDS_NEVER,       /* or not at all */
+    WRONG_NO_SECOND_FIX,     /* or not behind the second map */
+    WRONG_HELD_YIELD,        /* forces of held nodes are not taken away */
+    WRONG_HELD_PULL,         /* held nodes stay, but their acceleration is not taken away */
+    WRONG_NO_SPAN,           /* de = sum N' v, without dt */
+    WRONG_SLOPE_UNSCALED,    /* dN/dx is dN/ds, */
+    WRONG_SLOPE_OF_STRAIN,   /* or half of it in the strain, */
+    WRONG_SLOPE_OF_FORCE,    /* or in the force */
+    WRONG_ONLY_NEWEST,       /* stress = E de */
+    WRONG_VOLUME_STAYS,      /* the strain leaves the volume as it is, */
+    WRONG_VOLUME_DIVIDED,    /* or it is V/(1 + de) */
+    WRONG_VOLUME_OF_CELL,    /* the force takes the volume of a cell, */
+    WRONG_VOLUME_IS_MASS,    /* or the mass, */
+    WRONG_VOLUME_OF_START,   /* or the volume at t = 0, */
+    WRONG_NO_VOLUME,         /* or 1, */
+    WRONG_VOLUME_LATE,       /* or the volume from before the newest strain */
+    WRONG_STRESS_BEFORE,     /* the force is of the stress before this step's strain, */
+    WRONG_STRESS_OF_NEXT,    /* or of that of the next particle */
+    WRONG_PUSHES,            /* f_int has the other sign */
+    WRONG_HALF_FIRST_KICK,   /* half of the force in the first step */
+    WRONG_NEW_WEIGHTS,       /* velocities with N at the new places */
+    WRONG_MOVES_BY_ITSELF,   /* particles move with their own velocity, */
+    WRONG_MOVES_WITH_OLD,    /* or with that of the nodes before the force, */
+    WRONG_MOVES_WITH_MEAN,   /* or with the mean of before and after, */
+    WRONG_MOVES_WITH_MAPPED, /* or with that of MUSL's second map */
+    WRONG_AFFINE_OF_BSPLINE, /* C = 4/dx^2 sum N v d, */
+    WRONG_AFFINE_UNDIVIDED,  /* or sum N v d */
+    WRONG_PLAIN_KINETIC,     /* the kinetic energy is without that of C */
+    WRONG_SPIN_SIGN,         /* bodies: the stress turns the other way, */
+    WRONG_NO_ROTATION,       /* or not at all */
+    WRONG_TENSOR_SHEAR,      /* G times half of the angle */
+    WRONG_NORMAL_OF_ONE,     /* the normal of contact is that of one body */
+    WRONG_START_LATE,        /* q0 is that after the first fix */
+    WRONG_NO_FIRST_FIX       /* walls and contact act behind the force alone */
+};
 #define DOES(flag) (UINT64_C(1) << WRONG_##flag)
 
 static inline bool mpm_does(const Mpm *mpm, int flag)
