@@ -431,6 +431,9 @@ expect "a wide table" 0 mode5 wide.txt
 result "is one of particles" sh -c 'grep -q "^Read as: a column without a name: u; dt 0.01$" out && grep -q "those of the right code, to 1[4-6] digits over 300 rows" out'
 awk 'BEGIN { printf "t"; for (k = 50; k > 0; k--) printf ",u%d", k; print "" } { printf "%s", $1; for (k = 51; k > 1; k--) printf ",%s", $k; print "" }' wide.txt >down.csv
 expect "a wide table that counts down" 0 mode5 down.csv
+sed '1s/u/P/g' down.csv >points.csv
+expect "a wide table of P1, P2" 0 mode5 points.csv
+result "is of particles, not of momenta" says out '^Read as: a column without a name: u; dt 0.01$'
 result "is read by its heads" sh -c 'grep -q "^Right, USF.$" out && grep -q "particle 1 is our particle 0" out'
 sed '1s/u7,/u8,/' down.csv >same.csv
 refuse "a wide table with a head twice" "same.csv: rows 43 and 44 are both of step 0, particle 7" mode5 same.csv

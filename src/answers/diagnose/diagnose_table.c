@@ -153,7 +153,7 @@ static int column_of(const Overlay *file, const Names *names, const char *ours, 
     return -1;
 }
 
-static const char any_kind[] = "v_cm v x_cm u x stress kinetic strain total v_probe u_probe vy uy";
+static const char any_kind[] = "v_cm v x_cm u x stress kinetic strain total v_probe u_probe vy uy momentum";
 
 /* What a column may be by another's name than ours; "": one thing alone. */
 static void find_kinds(const char *name, char *out, size_t size)
@@ -881,6 +881,8 @@ static bool lengthen(Overlay *file, const Simulation *sim, Status *status)
     snprintf(tall.columns[first].name, OVERLAY_NAME_MAX, "%s", sim->sets[set].name);
     snprintf(tall.columns[first + 1].name, OVERLAY_NAME_MAX, "%.*s", (int)stem, last);
     clean_name(tall.columns[first + 1].name);
+    if (strcasecmp(tall.columns[first + 1].name, "p") == 0) /* p0, p1: particles, of any quantity */
+        tall.columns[first + 1].name[0] = '\0';
     if (!*last)
         snprintf(tall.columns[0].name, OVERLAY_NAME_MAX,
                  counts_steps(&file->columns[0], count, sim->dt) ? "step" : "time");
