@@ -55,22 +55,6 @@ static double hold(Mpm *mpm, int node, int wall, double place)
     return (before - after) * (before + after) / (2.0 * mass);
 }
 
-static void hold_walls(Mpm *mpm, int node, int grid_node)
-{
-    const int at[2] = {grid_node % mpm->gx - BODIES_PADDING, grid_node / mpm->gx - BODIES_PADDING};
-    double lost = 0.0;
-    for (int wall = 0; wall < WALLS; wall++) {
-        const int axis = wall / 2, far = wall % 2;
-        const BodyWall kind = mpm->def.walls[wall];
-        if (kind == WALL_OPEN || !(far ? at[axis] >= mpm->box[axis] : at[axis] <= 0))
-            continue;
-        const double more = hold(mpm, node, wall, far ? mpm->box[axis] : 0.0);
-        lost = kind == WALL_CLAMP ? 0.0
-                                  : lost + more; /* in a corner a clamp takes what friction took before it */
-    }
-    mpm->lost[grid_node] += lost;
-}
-
 Meeting bodies_meet(const Mpm *mpm, int node, int a, int b, const double q[2][2])
 {
     const int at[2] = {a * mpm->grid_nodes + node, b * mpm->grid_nodes + node};
@@ -131,29 +115,13 @@ static void touch(Mpm *mpm, int node)
         }
 }
 
-/* The velocities of nodes: after the first `fix` those that strain with USF; after the second carry = q/m and
- * kick = (q - q0)/m of eqs. 14, 15, and the velocity that strains with USL; after the third that of MUSL. */
-static void find_velocities(Mpm *mpm, MpmOp op, int first, int end)
-{
-    const bool strains = op != OP_FIX_MOVED || mpm->head->algorithm != MPM_USF;
-    const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
-    for (int axis = 0; axis < 2; axis++)
-        for (int i = first; i < end; i++) {
-            const double v = mpm->momentum[axis][i] * mpm->inverse[i];
-            if (strains)
-                mpm->velocity[axis][i] = v;
-            if (late)
-                mpm->start[axis][i] = mpm->momentum[axis][i];
-            if (op != OP_FIX_MOVED)
-                continue;
-            mpm->carry[axis][i] = v;
-            mpm->kick[axis][i] = (mpm->momentum[axis][i] - mpm->start[axis][i]) * mpm->inverse[i];
-        }
-}
-
+/* Then the velocities of nodes: after the first `fix` those that strain with USF; after the second carry =
+ * q/m and kick = (q - q0)/m of eqs. 14, 15, and the velocity that strains with USL; after the third that of
+ * MUSL. */
 void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
 {
     const bool idle = op == OP_FIX && mpm_does(mpm, WRONG_NO_FIRST_FIX);
+    const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
     for (int i = first; op == OP_FIX && i < end; i++)
         mpm->lost[i] = 0.0;
     for (int field = 0; field < mpm->n_fields; field++)
@@ -166,13 +134,36 @@ void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
                 for (int axis = 0; axis < 2; axis++)
                     mpm->start[axis][node] = mpm->momentum[axis][node];
             }
-            if (mass > mpm->floor && !idle)
-                hold_walls(mpm, node, i);
+            if (idle || !(mass > mpm->floor))
+                continue;
+            const int at[2] = {i % mpm->gx - BODIES_PADDING, i / mpm->gx - BODIES_PADDING};
+            double lost = 0.0;
+            for (int wall = 0; wall < WALLS; wall++) {
+                const int axis = wall / 2, edge = wall % 2 ? mpm->box[axis] : 0;
+                const BodyWall kind = mpm->def.walls[wall];
+                if (kind == WALL_OPEN || !(wall % 2 ? at[axis] >= edge : at[axis] <= edge))
+                    continue;
+                const double more = hold(mpm, node, wall, edge);
+                /* in a corner a clamp takes what friction took before it */
+                lost = kind == WALL_CLAMP ? 0.0 : lost + more;
+            }
+            mpm->lost[i] += lost;
         }
     for (int i = first; mpm->n_fields > 1 && !idle && i < end; i++)
         touch(mpm, i);
     for (int field = 0; field < mpm->n_fields; field++)
-        find_velocities(mpm, op, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
+        for (int axis = 0; axis < 2; axis++)
+            for (int i = field * mpm->grid_nodes + first; i < field * mpm->grid_nodes + end; i++) {
+                const double q = mpm->momentum[axis][i], v = q * mpm->inverse[i];
+                if (op != OP_FIX_MOVED || mpm->head->algorithm != MPM_USF)
+                    mpm->velocity[axis][i] = v;
+                if (late)
+                    mpm->start[axis][i] = q;
+                if (op != OP_FIX_MOVED)
+                    continue;
+                mpm->carry[axis][i] = v;
+                mpm->kick[axis][i] = (q - mpm->start[axis][i]) * mpm->inverse[i];
+            }
 }
 
 static void report_push(Mpm *mpm, int field, int other, EventKind kind)
@@ -199,39 +190,33 @@ static void report_push(Mpm *mpm, int field, int other, EventKind kind)
     batch_report(&mpm->sim, kind, text);
 }
 
-/* What a field pushes for the first time in the step going on, and what it first pushes no more. */
-static void note_pushes(Mpm *mpm, int field)
-{
-    MpmHead *head = mpm->head;
-    const uint32_t *const touched = mpm->touched + field * mpm->grid_nodes;
-    uint32_t now = 0;
-    for (int i = 0; i < mpm->grid_nodes; i++)
-        now |= touched[i];
-    const uint32_t first = now & ~head->met_by[field],
-                   ended = head->met_by[field] & ~now & ~head->parted_from[field];
-    for (int other = 0; (first | ended) && other < BODIES_MAX + WALLS; other++)
-        if (first >> other & 1) {
-            long *const met = other < BODIES_MAX ? &head->met : &head->hit;
-            *met = *met > 0 ? *met : mpm->sim.step + 1;
-            report_push(mpm, field, other, EVENT_TOUCH);
-        } else if (ended >> other & 1)
-            report_push(mpm, field, other, EVENT_PART);
-    head->touching[field] = now;
-    head->met_by[field] |= first;
-    head->parted_from[field] |= ended;
-}
-
-/* What both `fix` of a step did to particles; MUSL's third one is for the strain alone. */
+/* What both `fix` of a step did to particles; MUSL's third one is for the strain alone. What a field pushes
+ * for the first time is reported, and what it first pushes no more. */
 void bodies_note_contact(Mpm *mpm)
 {
+    MpmHead *head = mpm->head;
     double sum = 0.0;
     for (int i = 0; i < mpm->grid_nodes; i++)
         sum += mpm->lost[i];
-    MpmHead *head = mpm->head;
     head->friction += sum;
     const bool pushed = head->touching[0] >> 1 & 1, had_met = head->met > 0;
-    for (int field = 0; field < mpm->n_fields; field++)
-        note_pushes(mpm, field);
+    for (int field = 0; field < mpm->n_fields; field++) {
+        uint32_t now = 0;
+        for (int i = 0; i < mpm->grid_nodes; i++)
+            now |= mpm->touched[field * mpm->grid_nodes + i];
+        const uint32_t first = now & ~head->met_by[field],
+                       ended = head->met_by[field] & ~now & ~head->parted_from[field];
+        for (int other = 0; (first | ended) && other < BODIES_MAX + WALLS; other++)
+            if (first >> other & 1) {
+                long *const met = other < BODIES_MAX ? &head->met : &head->hit;
+                *met = *met > 0 ? *met : mpm->sim.step + 1;
+                report_push(mpm, field, other, EVENT_TOUCH);
+            } else if (ended >> other & 1)
+                report_push(mpm, field, other, EVENT_PART);
+        head->touching[field] = now;
+        head->met_by[field] |= first;
+        head->parted_from[field] |= ended;
+    }
     if (mpm->n_fields == 2 && pushed != (head->touching[0] >> 1 & 1)) {
         double row[BODIES_X + 2 * BODY_COLUMNS];
         mpm_row_of_bodies(&mpm->sim, row);

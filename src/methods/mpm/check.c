@@ -4,6 +4,8 @@
 #include "methods/axial.h"
 #include "methods/mpm/mistakes.h"
 
+#include <string.h>
+
 /* A particle takes some 150 to 200 bytes, and a step of so many a tenth of a second: more would not answer.
  */
 enum { CELLS_MAX = 2000000, PARTICLES_MAX = 2000000, NODES_MAX = 4000000 };
@@ -16,18 +18,11 @@ static bool is_whole(double cells)
     return round(cells) >= 1 && fabs(cells - round(cells)) <= 1e-9 * cells;
 }
 
-/* A length of a box. */
-static bool whole_cells(double length, const char *key, double dx, Status *status)
+/* A length of a beam; its height an even number of them. */
+static bool whole_cells(const MpmDef *def, double length, const char *what, Status *status)
 {
-    return is_whole(length / dx) ||
-           status_refuse(status, "%s: %g is %.10g cells (a whole number of mesh.cell_size = %g)", key, length,
-                         length / dx, dx);
-}
-
-/* One of a beam, even ones only if asked. */
-static bool whole_cells_of_beam(double length, double dx, bool even, const char *what, Status *status)
-{
-    const double cells = length / dx;
+    const double cells = length / def->cell_size;
+    const bool even = strcmp(what, "height") == 0;
     return (is_whole(cells) && !(even && fmod(round(cells), 2) != 0)) ||
            status_refuse(status, "mesh.cell_size: the %s of %g m must be %s number of cells, not %.10g", what,
                          length, even ? "an even" : "a whole", cells);
@@ -58,12 +53,11 @@ double mpm_time_step(const MpmDef *def)
 static bool check_step(const MpmDef *def, Status *status)
 {
     static const char *const of[] = {"bar", "beam", "material"};
-    const double dt = def->courant * def->cell_size / wave_speed(def);
-    if (!(dt > 0 && isfinite(dt) && isfinite(wave_speed(def))))
-        return status_refuse(
-            status, "%s.youngs_modulus: %g over the density %g makes waves of speed %g: no time step",
-            of[def->problem], def->youngs_modulus, def->density, wave_speed(def));
-    return true;
+    const double speed = wave_speed(def), dt = def->courant * def->cell_size / speed;
+    return (dt > 0 && isfinite(dt) && isfinite(speed)) ||
+           status_refuse(status,
+                         "%s.youngs_modulus: %g over the density %g makes waves of speed %g: no time step",
+                         of[def->problem], def->youngs_modulus, def->density, speed);
 }
 
 /* --- in the plane ----------------------------------------------------------------------------------- */
@@ -84,10 +78,10 @@ static bool check_method(const MpmDef *def, Status *status)
 /* M_c alone is singular where there are fewer particles than nodes, and nearly so where a cell at the end of
  * the bar is nearly empty: the largest stable step then falls with what is left in it. With mu > 0 it has a
  * floor that does not depend on how particles lie (USF and MUSL, hats: .24 at mu .05, .049 at .01). */
-static bool check_mass_blend(const MpmDef *def, Status *status)
+static bool check_bar(const MpmDef *def, Status *status)
 {
-    const double mu = def->mass_blend,
-                 best = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
+    const double cells = def->length / def->cell_size, mu = def->mass_blend;
+    const double best = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
     if (mu == 0.0 && def->offset != 0.0)
         return status_refuse(status,
                              "mpm.mass_blend: auto is known for particles in the middle of their shares "
@@ -107,13 +101,7 @@ static bool check_mass_blend(const MpmDef *def, Status *status)
     if (mu != 1.0 && def->transfer != MPM_FLIP)
         return status_refuse(status,
                              "mpm.mass_blend: less than 1 is for mpm.transfer = flip (1, or that transfer)");
-    return true;
-}
-
-static bool check_bar(const MpmDef *def, Status *status)
-{
-    const double cells = def->length / def->cell_size;
-    if (!check_mass_blend(def, status) || !check_step(def, status))
+    if (!check_step(def, status))
         return false;
     if (!(cells <= CELLS_MAX))
         return status_refuse(status, "mesh.cell_size: %g makes more than %d cells of a bar of length %g",
@@ -144,8 +132,7 @@ static bool check_beam(const MpmDef *def, Status *status)
     if (def->padding < 1 || def->padding > PADDING_MAX)
         return status_refuse(status, "mesh.padding: %d is out of range (1 to %d)", def->padding, PADDING_MAX);
     if (!check_method(def, status) || !mpm_check_mistakes(def, status) ||
-        !whole_cells_of_beam(def->length, def->cell_size, false, "length", status) ||
-        !whole_cells_of_beam(def->height, def->cell_size, true, "height", status))
+        !whole_cells(def, def->length, "length", status) || !whole_cells(def, def->height, "height", status))
         return false;
     /* the channel must hold the beam to the end: more than v0 t_end of it lies behind the mouth at t = 0 */
     if (def->leaves_channel && !(def->channel > def->speed * def->end))
@@ -155,8 +142,7 @@ static bool check_beam(const MpmDef *def, Status *status)
     if (def->leaves_channel && !(def->grid_velocity <= def->speed))
         return status_refuse(status, "mesh.velocity: %g is out of range (0 to motion.speed = %g)",
                              def->grid_velocity, def->speed);
-    if ((def->leaves_channel &&
-         !whole_cells_of_beam(def->channel, def->cell_size, false, "channel", status)) ||
+    if ((def->leaves_channel && !whole_cells(def, def->channel, "channel", status)) ||
         !check_step(def, status))
         return false;
     const double length = def->length + (def->leaves_channel ? def->channel : 0);
@@ -209,31 +195,16 @@ static bool check_body(const MpmDef *def, const BodyDef *body, Status *status)
     return true;
 }
 
-/* Every body has a particle, and no particle two bodies. */
-static bool check_particles(const MpmDef *def, Status *status)
-{
-    long all = 0;
-    for (int k = 0; k < def->n_bodies; k++) {
-        long count = 0;
-        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); count++)
-            for (int other = 0; other < k; other++)
-                if (bodies_hold(&def->bodies[other], walk.x, walk.y))
-                    return status_refuse(status, "bodies.%s: overlaps bodies.%s at (%g, %g)",
-                                         def->bodies[k].name, def->bodies[other].name, walk.x, walk.y);
-        if (count == 0)
-            return status_refuse(status,
-                                 "bodies.%s: has no particle (larger, or a smaller mesh.cell_size than %g)",
-                                 def->bodies[k].name, def->cell_size);
-        all += count;
-    }
-    return all <= PARTICLES_MAX || status_refuse(status, "mesh.cell_size: %g makes more than %d particles",
-                                                 def->cell_size, PARTICLES_MAX);
-}
-
 static bool check_bodies(const MpmDef *def, Status *status)
 {
-    if (!whole_cells(def->length, "domain.width", def->cell_size, status) ||
-        !whole_cells(def->height, "domain.height", def->cell_size, status) || !check_method(def, status))
+    const double box[] = {def->length, def->height};
+    const double cells[] = {def->length / def->cell_size, def->height / def->cell_size};
+    for (int axis = 0; axis < 2; axis++)
+        if (!is_whole(cells[axis]))
+            return status_refuse(status,
+                                 "domain.%s: %g is %.10g cells (a whole number of mesh.cell_size = %g)",
+                                 axis ? "height" : "width", box[axis], cells[axis], def->cell_size);
+    if (!check_method(def, status))
         return false;
     if (!(def->courant <= 1))
         return status_refuse(status, "time.courant: %g is out of range (above 0, at most 1)", def->courant);
@@ -253,8 +224,7 @@ static bool check_bodies(const MpmDef *def, Status *status)
                              "damping.rate: %g is too much for the time step %.4g (below 1/dt = %.4g)",
                              def->damping, dt, 1 / dt);
     const double fields = def->fields == FIELDS_EACH ? def->n_bodies : 1, more = 2 * BODIES_PADDING + 1;
-    const double P = def->particles_per_cell,
-                 cells[2] = {def->length / def->cell_size, def->height / def->cell_size};
+    const double P = def->particles_per_cell;
     if (!(fields * (cells[0] + more) * (cells[1] + more) <= NODES_MAX) ||
         !(cells[0] * cells[1] * P * P <= 4.0 * PARTICLES_MAX))
         return status_refuse(status, "mesh.cell_size: %g makes more than %d nodes of all fields",
@@ -264,7 +234,22 @@ static bool check_bodies(const MpmDef *def, Status *status)
     for (int k = 0; k < def->n_bodies; k++)
         if (!check_body(def, &def->bodies[k], status))
             return false;
-    return check_particles(def, status);
+    /* every body has a particle, and no particle two bodies */
+    long all = 0;
+    for (int k = 0; k < def->n_bodies; k++) {
+        const long before = all;
+        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); all++)
+            for (int other = 0; other < k; other++)
+                if (bodies_hold(&def->bodies[other], walk.x, walk.y))
+                    return status_refuse(status, "bodies.%s: overlaps bodies.%s at (%g, %g)",
+                                         def->bodies[k].name, def->bodies[other].name, walk.x, walk.y);
+        if (all == before)
+            return status_refuse(status,
+                                 "bodies.%s: has no particle (larger, or a smaller mesh.cell_size than %g)",
+                                 def->bodies[k].name, def->cell_size);
+    }
+    return all <= PARTICLES_MAX || status_refuse(status, "mesh.cell_size: %g makes more than %d particles",
+                                                 def->cell_size, PARTICLES_MAX);
 }
 
 bool mpm_check(const MpmDef *def, Status *status)

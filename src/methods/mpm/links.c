@@ -6,7 +6,7 @@
 
 /* The nodes of a place; those with neither weight nor slope are left out: a box far from its last node has no
  * part in it. */
-static size_t links_at(const Mpm *mpm, const MpmWeights *w, int base, Link *out, size_t max)
+static size_t links_at(const Mpm *mpm, MpmWeights w, int base, Link *out, size_t max)
 {
     size_t count = 0;
     for (int b = 0; b < mpm_across(mpm); b++)
@@ -14,18 +14,12 @@ static size_t links_at(const Mpm *mpm, const MpmWeights *w, int base, Link *out,
             const Link link = {
                 .set = MPM_NODES,
                 .index = (size_t)(base + b * mpm->gx + a),
-                .weight = w->n[0][a] * w->n[1][b],
-                .gradient = {w->dn[0][a] * w->n[1][b] / mpm->dx, w->n[0][a] * w->dn[1][b] / mpm->dx}};
+                .weight = w.n[0][a] * w.n[1][b],
+                .gradient = {w.dn[0][a] * w.n[1][b] / mpm->dx, w.n[0][a] * w.dn[1][b] / mpm->dx}};
             if (link.weight != 0.0 || link.gradient[0] != 0.0 || link.gradient[1] != 0.0)
                 out[count++] = link;
         }
     return count;
-}
-
-static size_t links_of(const Mpm *mpm, int p, Link *out, size_t max)
-{
-    const MpmWeights w = mpm_weights_of(mpm, p);
-    return links_at(mpm, &w, mpm->base[p], out, max);
 }
 
 /* Along a line particles are in order: the first whose nodes reach so far, by bisection. */
@@ -48,7 +42,7 @@ size_t mpm_links(const Simulation *sim, int set, size_t index, Link *out, size_t
     size_t count = 0;
     ASSERT_INT(index, <, sim->counts[set]);
     if (set == MPM_PARTICLES)
-        return links_of(mpm, (int)index, out, max);
+        return links_at(mpm, mpm_weights_of(mpm, (int)index), mpm->base[index], out, max);
     for (int p = first_reaching(mpm, (int)index); p < mpm->n_particles && count < max; p++) {
         const int away = (int)index - mpm->base[p];
         if (mpm->dim == 1 && away < 0)
@@ -56,7 +50,8 @@ size_t mpm_links(const Simulation *sim, int set, size_t index, Link *out, size_t
         if (away < 0 || away / mpm->gx >= mpm->support || away % mpm->gx >= mpm->support)
             continue;
         Link links[SHAPE_SUPPORT_MAX * SHAPE_SUPPORT_MAX];
-        const size_t n = links_of(mpm, p, links, sizeof links / sizeof *links);
+        const size_t n =
+            links_at(mpm, mpm_weights_of(mpm, p), mpm->base[p], links, sizeof links / sizeof *links);
         for (size_t k = 0; k < n; k++)
             if (links[k].index == index) {
                 out[count] = links[k];
@@ -65,22 +60,6 @@ size_t mpm_links(const Simulation *sim, int set, size_t index, Link *out, size_t
             }
     }
     return count;
-}
-
-/* CPDI's functions differ from particle to particle: those of the one that is nearest in the cell. */
-static double half_near(const Mpm *mpm, int base, double at)
-{
-    double half = mpm->half, nearest = INFINITY;
-    for (int p = first_reaching(mpm, base); mpm->shape == MPM_CPDI && p < mpm->n_particles; p++) {
-        const double s = mpm->s[0][p];
-        if (mpm->base[p] > base)
-            break;
-        if (mpm->base[p] < base || !(fabs(s - at) < nearest))
-            continue;
-        nearest = fabs(s - at);
-        half = mpm_half(mpm, p);
-    }
-    return half;
 }
 
 /* A place on the right end of a line's mesh belongs to the last cell. */
@@ -98,6 +77,13 @@ size_t mpm_shapes(const Simulation *sim, const double *place, Link *out, size_t 
         s[axis] = r - node[axis];
     }
     const int base = node[1] * mpm->gx + node[0];
-    const MpmWeights w = mpm_weights(mpm, half_near(mpm, base, s[0]), base, s);
-    return links_at(mpm, &w, base, out, max);
+    /* CPDI's functions differ from particle to particle: those of the one that is nearest in the cell */
+    double half = mpm->half, nearest = INFINITY;
+    for (int p = mpm->shape == MPM_CPDI ? first_reaching(mpm, base) : mpm->n_particles;
+         p < mpm->n_particles && mpm->base[p] <= base; p++)
+        if (mpm->base[p] == base && fabs(mpm->s[0][p] - s[0]) < nearest) {
+            nearest = fabs(mpm->s[0][p] - s[0]);
+            half = mpm_half(mpm, p);
+        }
+    return links_at(mpm, mpm_weights(mpm, half, base, s), base, out, max);
 }

@@ -56,31 +56,26 @@ static double add_row(Triangle *rows, const int support, double weight, double *
     return weight * (v * v);
 }
 
-/* On to the next node: the first row of the triangle is complete and is dropped, an empty last one comes in.
- */
-static void shift(Triangle *rows, const int support)
-{
-    for (int a = 0; a + 1 < support; a++) {
-        rows->weight[a] = rows->weight[a + 1];
-        rows->value[a] = rows->value[a + 1];
-        for (int k = a + 1; k + 1 < support; k++)
-            rows->above[a][k] = rows->above[a + 1][k + 1];
-        rows->above[a][support - 1] = 0.0;
-    }
-    rows->weight[support - 1] = rows->value[support - 1] = 0.0;
-}
-
 /* In units of energy per cross-section; the grid stands as after map and supports. */
 double mpm_line_null_energy(const Mpm *mpm)
 {
     Triangle rows = {{0}, {{0}}, {0}};
     double sum = 0.0;
+    const int last = mpm->support - 1;
     int node = 0; /* of the triangle's first row */
     for (int p = 0; p < mpm->n_particles; p++) {
         const int base = mpm->base[p];
         double n[SHAPE_SUPPORT_MAX], slopes[SHAPE_SUPPORT_MAX];
-        for (; node < base; node++)
-            shift(&rows, mpm->support);
+        for (; node < base; node++) { /* its row is complete and is dropped, an empty last one comes in */
+            for (int a = 0; a < last; a++) {
+                rows.weight[a] = rows.weight[a + 1];
+                rows.value[a] = rows.value[a + 1];
+                for (int k = a + 1; k < last; k++)
+                    rows.above[a][k] = rows.above[a + 1][k + 1];
+                rows.above[a][last] = 0.0;
+            }
+            rows.weight[last] = rows.value[last] = 0.0;
+        }
         shape_at(mpm->shape, mpm_half(mpm, p), mpm->cells, base, mpm->s[0][p], n, slopes);
         for (int a = 0; a < mpm->support; a++)
             n[a] *= mpm_moves(mpm, base + a);

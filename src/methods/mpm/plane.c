@@ -95,17 +95,12 @@ static Deflection deflection(const MpmDef *def, double x)
                         U * k * k * (cosh_a + cos_a - r * (sinh_a + sin_a))};
 }
 
-typedef struct Strain {
-    double xx, yy, xy; /* xy: gamma */
-} Strain;
-
 /* sum B u at a particle's place on the undeformed lattice, what the first step would find had the nodes moved
  * there: the stress that belongs to it is that of the mesh, not of the beam. Nodes at and behind the
  * channel's end do not move. */
-static Strain strain_of_nodes(const Mpm *mpm, int p)
+static void strain_of_nodes(const Mpm *mpm, int p, double e[MPM_STRESSES])
 {
     const MpmDef *def = &mpm->def;
-    Strain strain = {0, 0, 0};
     const int i = (int)mpm->rest[0][p], j = (int)mpm->rest[1][p];
     const double s[MPM_AXES] = {mpm->rest[0][p] - i, mpm->rest[1][p] - j};
     const MpmWeights w = mpm_weights(mpm, mpm->half, 0, s);
@@ -119,12 +114,11 @@ static Strain strain_of_nodes(const Mpm *mpm, int p)
             const double wide = def->stress == PLANE_RELAXED ? def->poisson * bent.curvature * y * y / 2 : 0;
             const double ux = -y * bent.slope, uy = bent.w + wide;
             const double bx = w.dn[0][a] * w.n[1][b] / mpm->dx, by = w.n[0][a] * w.dn[1][b] / mpm->dx;
-            strain.xx += bx * ux;
-            strain.yy += by * uy;
-            strain.xy += by * ux + bx * uy;
+            e[0] += bx * ux;
+            e[1] += by * uy;
+            e[2] += by * ux + bx * uy;
         }
     }
-    return strain;
 }
 
 /* One particle at t = 0: displacement, velocity, stress, volume. */
@@ -147,12 +141,13 @@ static void place(Mpm *mpm, int p)
     }
     mpm->u[0][p] = -Y * bent.slope;
     mpm->u[1][p] = bent.w;
-    const Strain strain =
-        def->stress == PLANE_EXACT ? (Strain){-Y * bent.curvature, 0, 0} : strain_of_nodes(mpm, p);
-    mpm->stress[0][p] = mpm->D11 * (strain.xx + def->poisson * strain.yy);
-    mpm->stress[1][p] = mpm->D11 * (strain.yy + def->poisson * strain.xx);
-    mpm->stress[2][p] = mpm->shear * strain.xy;
-    mpm->volume[p] *= 1 + strain.xx + strain.yy;
+    double e[MPM_STRESSES] = {def->stress == PLANE_EXACT ? -Y * bent.curvature : 0};
+    if (def->stress != PLANE_EXACT)
+        strain_of_nodes(mpm, p, e);
+    mpm->stress[0][p] = mpm->D11 * (e[0] + def->poisson * e[1]);
+    mpm->stress[1][p] = mpm->D11 * (e[1] + def->poisson * e[0]);
+    mpm->stress[2][p] = mpm->shear * e[2];
+    mpm->volume[p] *= 1 + e[0] + e[1];
 }
 
 /* All particles. False: given up, or the shape leaves the grid. */
@@ -163,7 +158,7 @@ bool plane_begin(Mpm *mpm, Status *status)
     bool sound = true;
     for (int k = 0; k < mpm->n_chunks; k++) {
         const int first = k * width, rest = mpm->nxp - first;
-        mpm_put_chunk(mpm, k, (MpmChunk){first, rest < width ? rest : width, mpm->nyp, mpm->nxp});
+        mpm_put_chunk(mpm, k, (MpmChunk){first, rest < width ? rest : width, mpm->nyp, .stride = mpm->nxp});
     }
     for (int p = 0; p < mpm->n_particles; p++) {
         if (p % PARTICLES_A_QUESTION == 0 && cancel_requested(&mpm->def.cancel, (double)p / mpm->n_particles))

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small motion about the undeformed lattice, on which hats and boxes are the same numbers; of B-splines there
- * is a column or row of nodes more all round. With the nodal
- * masses M_L (lumped) and M_C = sum m N_i N_j (consistent) and the stiffness K = sum V B'D B, a step maps
- * what the grid sees as
+ * is a column or row of nodes more all round. With the nodal masses M_L (lumped) and M_C = sum m N_i N_j
+ * (consistent) and the stiffness K = sum V B'D B, a step maps what the grid sees as
  *
  *     v' = G v + dt S f,   S = M_L^-1 M_C M_L^-1,   G = alpha + (1 - alpha) M_L^-1 M_C      (flip fraction)
  *     f' = f - dt K v'  (USF, MUSL)        f' = f - dt K (v + dt M_L^-1 f)  (USL)
@@ -41,22 +40,12 @@ typedef struct Lattice2 {
     MpmShape shape;
     int ghosts, columns, rows; /* of nodes, those beyond the body's ends included */
     size_t size, width;
+    void *memory; /* of all that follows */
     bool *held;
-    double *lumped;
+    double *lumped, *work;    /* work: 4 vectors */
     Cholesky stiffness, mass; /* K and M_C; held unknowns stand alone */
     Cholesky blend;           /* (1 + alpha) M_L + (1 - alpha) M_C */
-    double *work;             /* 4 vectors */
 } Lattice2;
-
-static void release(Lattice2 *lattice)
-{
-    free(lattice->held);
-    free(lattice->lumped);
-    free(lattice->stiffness.rows);
-    free(lattice->mass.rows);
-    free(lattice->blend.rows);
-    free(lattice->work);
-}
 
 static double *entry(Cholesky *band, size_t row, size_t column)
 {
@@ -148,18 +137,19 @@ static bool build(Lattice2 *lattice, const MpmDef *def, bool *fits, Status *stat
     lattice->rows = lattice->model.nyp / P + 1 + 2 * lattice->ghosts;
     lattice->size = 2 * (size_t)lattice->columns * (size_t)lattice->rows;
     lattice->width = 2 * (size_t)((lattice->rows + 1) * (shape_support(lattice->shape) - 1)) + 1;
-    *fits = 3 * (double)lattice->size * (double)(lattice->width + 1) <= NUMBERS_MAX;
+    const size_t n = lattice->size, numbers = n * (lattice->width + 1);
+    *fits = 3 * (double)n * (double)(lattice->width + 1) <= NUMBERS_MAX;
     if (!*fits)
         return true;
-    lattice->stiffness = lattice->mass = (Cholesky){.size = lattice->size, .width = lattice->width};
-    lattice->stiffness.rows = calloc(lattice->size * (lattice->width + 1), sizeof(double));
-    lattice->mass.rows = calloc(lattice->size * (lattice->width + 1), sizeof(double));
-    lattice->held = calloc(lattice->size, sizeof *lattice->held);
-    lattice->lumped = calloc(lattice->size, sizeof *lattice->lumped);
-    lattice->work = calloc(4 * lattice->size, sizeof *lattice->work);
-    if (!lattice->stiffness.rows || !lattice->mass.rows || !lattice->held || !lattice->lumped ||
-        !lattice->work)
+    double *const rows = lattice->memory = calloc(3 * numbers + 6 * n, sizeof *rows);
+    if (!rows)
         return status_fail(status, "not enough memory for what the mesh predicts");
+    lattice->stiffness = (Cholesky){n, lattice->width, rows};
+    lattice->mass = (Cholesky){n, lattice->width, rows + numbers};
+    lattice->blend = (Cholesky){n, lattice->width, rows + 2 * numbers};
+    lattice->lumped = rows + 3 * numbers;
+    lattice->work = lattice->lumped + n;
+    lattice->held = (bool *)(lattice->work + 4 * n);
     return assemble(lattice) || given_up(status);
 }
 
@@ -193,25 +183,6 @@ static bool weigh(void *context, const double *x, double *out)
     return true;
 }
 
-/* The mode of the lowest vibration from half a wave: omega^2 of S K and w^2 = x'Kx/x'M_L x, both 1/s^2; NAN:
- * not converged. Both matrices are factors. False: given up. */
-static bool lowest_mode(Lattice2 *lattice, double *omega2, double *lumped2, Status *status)
-{
-    const LinearMap map = {weigh, lattice};
-    const size_t n = lattice->size;
-    double *x = lattice->work, *y = x + n, lumped = 0;
-    for (size_t u = 0; u < n; u++)
-        x[u] = u % 2 ? math_sin(M_PI * (double)(u / 2 / (size_t)lattice->rows) / (lattice->columns - 1)) : 0;
-    clear_held(lattice, x);
-    if (!linear_lowest(&lattice->stiffness, &map, x, omega2, &lattice->model.def.cancel) ||
-        !weigh(lattice, x, y))
-        return given_up(status);
-    for (size_t u = 0; u < n; u++)
-        lumped += lattice->lumped[u] * x[u] * x[u];
-    *lumped2 = *omega2 * linear_dot(x, y, n) / lumped;
-    return true;
-}
-
 /* T = 2 pi/Omega, s, from omega^2 and w^2 by the formulas above; with alpha = 1 and USF or MUSL Omega =
  * (2/dt) asin(omega dt/2), which keeps all digits of a small omega dt. */
 static double period_of(const MpmDef *def, double dt, double omega2, double lumped2)
@@ -226,7 +197,8 @@ static double period_of(const MpmDef *def, double dt, double omega2, double lump
 }
 
 /* *period in s; NAN where the band would take more than NUMBERS_MAX numbers, for the cantilever, which has
- * none, and of B-splines: S K has lower modes there, of nodes at the corners that particles hardly see. */
+ * none, and of B-splines: S K has lower modes there, of nodes at the corners that particles hardly see. The
+ * mode is found from half a wave. */
 bool plane_predicted_period(const MpmDef *def, double *period, Status *status)
 {
     Lattice2 lattice;
@@ -238,11 +210,20 @@ bool plane_predicted_period(const MpmDef *def, double *period, Status *status)
     good = good && (!sound || factor(&lattice.stiffness, def, &sound, status));
     good = good && (!sound || factor(&lattice.mass, def, &sound, status));
     if (good && sound) {
-        double omega2, lumped2 = 1;
-        good = lowest_mode(&lattice, &omega2, &lumped2, status);
-        *period = good ? period_of(def, lattice.model.dt, omega2, lumped2) : NAN;
+        const LinearMap map = {weigh, &lattice};
+        const size_t n = lattice.size;
+        double *x = lattice.work, *y = x + n, omega2, lumped = 0; /* omega^2 of S K, x'M_L x */
+        for (size_t u = 1; u < n; u += 2)
+            x[u] = math_sin(M_PI * (double)(u / 2 / (size_t)lattice.rows) / (lattice.columns - 1));
+        clear_held(&lattice, x);
+        good = (linear_lowest(&lattice.stiffness, &map, x, &omega2, &def->cancel) && weigh(&lattice, x, y)) ||
+               given_up(status);
+        for (size_t u = 0; u < n; u++)
+            lumped += lattice.lumped[u] * x[u] * x[u];
+        if (good) /* w^2 = x'Kx/x'M_L x */
+            *period = period_of(def, lattice.model.dt, omega2, omega2 * linear_dot(x, y, n) / lumped);
     }
-    release(&lattice);
+    free(lattice.memory);
     return good;
 }
 
@@ -289,23 +270,8 @@ static bool stiffen(void *context, const double *x, double *out)
     return true;
 }
 
-/* Of W K, from any vector that has a part of every mode. */
-static double largest_eigenvalue(Lattice2 *lattice)
-{
-    const LinearMap stiffness = {stiffen, lattice};
-    double *start = lattice->work + lattice->size;
-    uint32_t noise = 1;
-    for (size_t u = 0; u < lattice->size; u++) {
-        noise = noise * 1664525u + 1013904223u;
-        start[u] = (double)noise / 4294967296.0 - 0.5;
-    }
-    clear_held(lattice, start);
-    return linear_largest(lattice->size, (LinearMap){drive, lattice}, &stiffness, 1e-6, start);
-}
-
-/* The largest stable Courant number of the undeformed beam, by its own matrices where they fit and the search
- * for their largest eigenvalue converges, else of an endless mesh, less one per cent. Particles that have
- * moved can lower it: hats down to 1.39 of 1.72. */
+/* By the beam's own matrices where they fit and the search for their largest eigenvalue converges, else of an
+ * endless mesh, less one per cent. Particles that have moved can lower it: hats down to 1.39 of 1.72. */
 bool plane_courant_limit(const MpmDef *def, double *courant, Status *status)
 {
     Lattice2 lattice;
@@ -313,25 +279,30 @@ bool plane_courant_limit(const MpmDef *def, double *courant, Status *status)
     *courant = 0.99 * endless_limit(def);
     bool good = build(&lattice, def, &fits, status);
     if (good && fits) {
-        const size_t numbers = lattice.size * (lattice.width + 1);
         Cholesky *blend = &lattice.blend;
-        *blend = (Cholesky){.size = lattice.size, .width = lattice.width};
-        blend->rows = malloc(numbers * sizeof(double));
-        good = blend->rows || status_fail(status, "not enough memory for the largest step");
-        for (size_t k = 0; good && k < numbers; k++)
+        for (size_t k = 0; k < lattice.size * (lattice.width + 1); k++)
             blend->rows[k] = (1 - def->flip_fraction) * lattice.mass.rows[k];
-        for (size_t u = 0; good && u < lattice.size; u++)
+        for (size_t u = 0; u < lattice.size; u++)
             *entry(blend, u, u) += (1 + def->flip_fraction) * lattice.lumped[u];
-        good = good && factor(blend, def, &sound, status);
-        if (good && sound) {
-            const double eigenvalue = largest_eigenvalue(&lattice);
-            good = !isnan(eigenvalue) || errno == 0 ||
-                   (errno == ENOMEM ? status_fail(status, "not enough memory for the largest step")
-                                    : given_up(status));
-            if (isfinite(eigenvalue))
-                *courant = def->courant * sqrt(2 / eigenvalue) / lattice.model.dt;
-        }
+        good = factor(blend, def, &sound, status);
     }
-    release(&lattice);
+    if (good && sound) {
+        const LinearMap stiffness = {stiffen, &lattice};
+        double *start = lattice.work + lattice.size; /* any vector that has a part of every mode */
+        uint32_t noise = 1;
+        for (size_t u = 0; u < lattice.size; u++) {
+            noise = noise * 1664525u + 1013904223u;
+            start[u] = (double)noise / 4294967296.0 - 0.5;
+        }
+        clear_held(&lattice, start);
+        const double eigenvalue =
+            linear_largest(lattice.size, (LinearMap){drive, &lattice}, &stiffness, 1e-6, start);
+        good = !isnan(eigenvalue) || errno == 0 ||
+               (errno == ENOMEM ? status_fail(status, "not enough memory for the largest step")
+                                : given_up(status));
+        if (isfinite(eigenvalue))
+            *courant = def->courant * sqrt(2 / eigenvalue) / lattice.model.dt;
+    }
+    free(lattice.memory);
     return good;
 }

@@ -104,14 +104,6 @@ static Work prepare(const Mpm *mpm)
     return work;
 }
 
-static bool takes_part(const Work *work, int column)
-{
-    for (int k = column * work->box.rows; k < (column + 1) * work->box.rows; k++)
-        if (!work->out[0][k] || !work->out[1][k])
-            return true;
-    return false;
-}
-
 /* M_C = sum m N_i N_j, kg/m, of the particles whose nodes begin in a column: in row k, entry d is
  * M_C(k, k + d), d >= 0. */
 static void assemble(const Mpm *mpm, const Work *work, int column)
@@ -177,11 +169,12 @@ double plane_null_energy(const Mpm *mpm, double kinetic)
 {
     const Work work = prepare(mpm);
     const size_t bytes = (size_t)(work.box.rows * work.stride) * sizeof(double);
-    const int matrices = work.bands[1] ? 2 : 1;
-    int column = 0;
+    const int matrices = work.bands[1] ? 2 : 1, count = work.box.rows * work.box.columns;
+    int node = 0;
     double seen = 0;
-    while (column < work.box.columns && !takes_part(&work, column)) /* those in the channel */
-        column++;
+    while (node < count && work.out[0][node] && work.out[1][node]) /* those in the channel take no part */
+        node++;
+    int column = node / work.box.rows;
     column = column < mpm->support ? 0 : column - mpm->support + 1;
     for (int which = 0; which < matrices; which++)
         memset(work.bands[which], 0, bytes * (size_t)mpm->support);

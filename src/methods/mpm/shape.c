@@ -80,8 +80,7 @@ double shape_node_offset(MpmShape shape, double half, int cells, int cell, int a
 MpmWeights mpm_weights(const Mpm *mpm, double half, int base, const double *s)
 {
     MpmWeights w = {.n[1][0] = 1.0};
-    for (int axis = 0; axis < mpm->dim;
-         axis++) /* in the plane B-splines stay as they are at the grid's ends */
+    for (int axis = 0; axis < mpm->dim; axis++) /* in the plane B-splines stay as they are at the ends */
         shape_at(mpm->shape, half, mpm->cells, mpm->dim == 2 ? 2 : base, s[axis], w.n[axis], w.dn[axis]);
     return w;
 }
