@@ -86,38 +86,17 @@ void bar_derive(Mpm *mpm)
     mpm->layer_right = right ? 0 : in_layer;
 }
 
-/* Each cell's particles take the mean of the stress where they lie: what differs within a cell no velocity of
- * the grid can change, and it would stay there for ever. */
-static bool begin_stress(Mpm *mpm, Status *status)
-{
-    const MpmDef *def = &mpm->def;
-    const int P = def->particles_per_cell;
-    for (int first = 0; def->initial_stress && first < mpm->n_particles; first += P) {
-        double sum = 0.0;
-        for (int p = first; p < first + P; p++)
-            sum += def->initial_stress(mpm_rest(mpm, 0, p), def->initial_context);
-        if (!isfinite(sum))
-            return status_refuse(status, "initial.pulse: no finite stress at x = %g",
-                                 mpm_rest(mpm, 0, first));
-        for (int p = first; p < first + P; p++)
-            mpm->stress[0][p] = sum / P;
-    }
-    return true;
-}
-
-enum { PARTICLES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a sine for every mode */
-
 /* The state at t = 0: v by eq. 19, volume m/rho, stress 0 or that of a pulse; APIC's slopes C = dv0/dx, since
  * from C = 0 it loses energy in the first step (a quarter of it for the paper's mode 10). */
 bool bar_begin(Mpm *mpm, Status *status)
 {
+    enum { PARTICLES_A_QUESTION = 16384 }; /* a millisecond or less, as each takes a sine for every mode */
     const MpmDef *def = &mpm->def;
     const bool at_centres = mpm_does(mpm, WRONG_STARTS_AT_CENTRES);
-    const int P = def->particles_per_cell;
-    const int chunk = chunk_of(mpm->n_particles);
+    const int P = def->particles_per_cell, chunk = chunk_of(mpm->n_particles);
     for (int k = 0; k < mpm->n_chunks; k++) {
         const int first = k * chunk, rest = mpm->n_particles - first;
-        mpm_put_chunk(mpm, k, (MpmChunk){first, rest < chunk ? rest : chunk, 1, 0});
+        mpm_put_chunk(mpm, k, (MpmChunk){first, rest < chunk ? rest : chunk, .rows = 1});
     }
     double moment = 0.0;
     for (int p = 0; p < mpm->n_particles; p++) {
@@ -137,8 +116,18 @@ bool bar_begin(Mpm *mpm, Status *status)
     }
     mpm->x_cm_start = moment / mpm->whole_mass;
     mpm_find_all(mpm);
-    if (!begin_stress(mpm, status))
-        return false;
+    /* each cell's particles take the mean of the stress where they lie: what differs within a cell no
+     * velocity of the grid can change, and it would stay there for ever */
+    for (int first = 0; def->initial_stress && first < mpm->n_particles; first += P) {
+        double sum = 0.0;
+        for (int p = first; p < first + P; p++)
+            sum += def->initial_stress(mpm_rest(mpm, 0, p), def->initial_context);
+        if (!isfinite(sum))
+            return status_refuse(status, "initial.pulse: no finite stress at x = %g",
+                                 mpm_rest(mpm, 0, first));
+        for (int p = first; p < first + P; p++)
+            mpm->stress[0][p] = sum / P;
+    }
     mpm->energy_start = mpm_energy(mpm);
     if (!isfinite(mpm->energy_start))
         return status_refuse(status, "initial.velocity: the kinetic energy is not a finite number");

@@ -20,11 +20,10 @@ void bodies_centre(const BodyDef *body, double centre[2])
 
 void bodies_bounds(const BodyDef *body, double low[2], double high[2])
 {
-    const double radius = body->size[body->shape == BODY_RING ? 3 : 2];
+    const double *const size = body->size, radius = size[body->shape == BODY_RING ? 3 : 2];
     for (int axis = 0; axis < 2; axis++) {
-        const bool block = body->shape == BODY_BLOCK;
-        low[axis] = block ? body->size[axis] : body->size[axis] - radius;
-        high[axis] = block ? body->size[2 + axis] : body->size[axis] + radius;
+        low[axis] = body->shape == BODY_BLOCK ? size[axis] : size[axis] - radius;
+        high[axis] = body->shape == BODY_BLOCK ? size[2 + axis] : size[axis] + radius;
     }
 }
 
@@ -36,14 +35,6 @@ bool bodies_hold(const BodyDef *body, double x, double y)
     const double X = x - size[0], Y = y - size[1], squared = X * X + Y * Y;
     return body->shape == BODY_DISC ? squared < size[2] * size[2]
                                     : squared > size[2] * size[2] && squared < size[3] * size[3];
-}
-
-int bodies_body_of(const Mpm *mpm, int particle)
-{
-    int body = 0;
-    while (mpm->first[body + 1] <= particle)
-        body++;
-    return body;
 }
 
 BodyWalk bodies_walk(const MpmDef *def, int body)
@@ -167,10 +158,26 @@ void bodies_begin_with(Simulation *sim, BodiesField *field, const void *context)
     note_energy(mpm);
 }
 
-/* Of each particle the one above it: a row of a body is from the left, and the next row follows it. */
-static void find_neighbours(Mpm *mpm)
+bool bodies_begin(Mpm *mpm, Status *status)
 {
-    for (int body = 0; body < mpm->def.n_bodies; body++) {
+    const MpmDef *def = &mpm->def;
+    for (int k = 0; k < def->n_bodies; k++) {
+        if (cancel_requested(&def->cancel, (double)k / def->n_bodies))
+            return status_fail(status, "the building of the bodies was cancelled");
+        int p = mpm->first[k];
+        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); p++) {
+            mpm->at[0][p] = walk.x;
+            mpm->at[1][p] = walk.y;
+            for (int axis = 0; axis < 2; axis++)
+                mpm->rest[axis][p] = mpm->at[axis][p] / mpm->dx + BODIES_PADDING + mpm->edge;
+            mpm->volume[p] = mpm->volume_start;
+            for (int i = 0; bodies_are_neo(mpm) && i < 4; i++)
+                mpm->deformation[i][p] = i == 0 || i == 3;
+            mpm->field[p] = mpm->n_fields > 1 ? k * mpm->grid_nodes : 0;
+        }
+    }
+    /* of each particle the one above it: a row of a body is from the left, and the next row follows it */
+    for (int body = 0; body < def->n_bodies; body++) {
         const int end = mpm->first[body + 1];
         int q = mpm->first[body];
         for (int p = q; p < end; p++) {
@@ -182,34 +189,12 @@ static void find_neighbours(Mpm *mpm)
             mpm->above[p] = is_above ? q : -1;
         }
     }
-}
-
-bool bodies_begin(Mpm *mpm, Status *status)
-{
-    const MpmDef *def = &mpm->def;
-    for (int k = 0; k < def->n_bodies; k++) {
-        if (cancel_requested(&def->cancel, (double)k / def->n_bodies))
-            return status_fail(status, "the building of the bodies was cancelled");
-        int p = mpm->first[k];
-        for (BodyWalk walk = bodies_walk(def, k); bodies_next(&walk); p++) {
-            const double at[2] = {walk.x, walk.y};
-            for (int axis = 0; axis < 2; axis++) {
-                mpm->at[axis][p] = at[axis];
-                mpm->rest[axis][p] = at[axis] / mpm->dx + BODIES_PADDING + mpm->edge;
-            }
-            mpm->volume[p] = mpm->volume_start;
-            for (int i = 0; bodies_are_neo(mpm) && i < 4; i++)
-                mpm->deformation[i][p] = i == 0 || i == 3;
-            mpm->field[p] = mpm->n_fields > 1 ? k * mpm->grid_nodes : 0;
-        }
-    }
-    find_neighbours(mpm);
     const double height = BODIES_CHUNK_CELLS * mpm->dx, *const y = mpm->at[1];
     for (int k = 0, count = 0; k < def->n_bodies; k++) /* some rows of a body each */
         for (int p = mpm->first[k], end; p < mpm->first[k + 1]; p = end) {
             for (end = p; end < mpm->first[k + 1] && floor(y[end] / height) == floor(y[p] / height);)
                 end++;
-            mpm_put_chunk(mpm, count++, (MpmChunk){p, end - p, 1, 0});
+            mpm_put_chunk(mpm, count++, (MpmChunk){p, end - p, .rows = 1});
         }
     mpm_find_all(mpm);
     for (int k = 0; k < def->n_bodies; k++)

@@ -19,9 +19,8 @@ bool mpm_holds_momentum(const Mpm *mpm, MpmOp stage, int node)
 
 bool mpm_has_done(const Mpm *mpm, MpmOp op)
 {
-    const MpmSchedule *schedule = mpm_schedule(mpm);
     for (int i = 0; i < mpm->sim.stage; i++)
-        if (schedule->ops[i] == op)
+        if (mpm->ops[i] == op)
             return true;
     return false;
 }
@@ -31,11 +30,11 @@ bool mpm_find_all(Mpm *mpm)
     const double shift = mpm_shift(mpm, mpm->sim.step);
     bool inside = true;
     for (int k = 0; k < mpm->n_chunks; k++) {
-        const MpmChunk *chunk = &mpm->chunks[k];
-        mpm->spans[k] = (MpmSpan){INT_MAX, 0};
+        MpmChunk *chunk = &mpm->chunks[k];
+        chunk->span = (MpmSpan){INT_MAX, 0};
         for (int row = 0; row < chunk->rows; row++) {
             const int first = chunk->first + row * chunk->stride, end = first + chunk->count;
-            inside = mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &mpm->spans[k], NULL) < 0 &&
+            inside = mpm_set_places(mpm, mpm->dim, mpm->shape, shift, first, end, &chunk->span, NULL) < 0 &&
                      inside;
         }
     }
@@ -67,11 +66,6 @@ double mpm_grid_place(const Mpm *mpm, int axis, double coordinate)
         return coordinate / mpm->dx + mpm->origin + mpm->edge;
     const double first = axis == 0 ? mpm->xmin + mpm_shift(mpm, mpm->sim.step) * mpm->dx : mpm->ymin;
     return (coordinate - first) / mpm->dx + mpm->edge;
-}
-
-double mpm_way(const Mpm *mpm, int p)
-{
-    return ((mpm->rest[0][p] - mpm->base[p] + mpm->u[0][p] / mpm->dx) - mpm->s[0][p]) * mpm->dx;
 }
 
 /* A beam's nodes. Places are compared with a tolerance of 1e-6 dx, as nodes lie exactly on the limits.

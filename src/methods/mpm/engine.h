@@ -41,7 +41,7 @@ enum {
 
 enum { MPM_PARTICLES, MPM_NODES, MPM_SETS };
 
-/* The work of a stage. Stage tables are lists of these. */
+/* The work of a stage. */
 typedef enum MpmOp {
     OP_MAP,
     OP_FIX,
@@ -56,12 +56,6 @@ typedef enum MpmOp {
     OP_FORGET,    /* of a line; in the plane the last stage forgets the grid */
     OP_COUNT
 } MpmOp;
-
-/* The stages of an algorithm. */
-typedef struct MpmSchedule {
-    MpmOp ops[OP_COUNT];
-    int count, nodes_ready; /* nodes_ready: Set.ready_after of the nodes */
-} MpmSchedule;
 
 /* What particles and nodes give each other: the terms of the sums of a step (terms.c). */
 typedef enum MpmTerm {
@@ -85,12 +79,6 @@ typedef struct MpmExchange {
     char field[20], symbol[12], factors[24], note[88];
 } MpmExchange;
 
-/* What the check of the energy has seen (steps.c). */
-typedef struct Growth {
-    double peak_work; /* the largest magnitude of the work */
-    int level;        /* how many thresholds of growth were reported */
-} Growth;
-
 /* The part of the state that is not an array. Live parameters belong to it, so that a restored snapshot goes
  * on with the parameters of its own time. */
 typedef struct MpmHead {
@@ -111,12 +99,21 @@ typedef struct MpmHead {
         touching[BODIES_MAX];                             /* and in the last step */
     long torn; /* that in which neighbours parted first, and the one of them that comes first */
     int torn_at;
-    Growth growth;
+    double peak_work; /* the largest magnitude of the work (steps.c) */
+    int level;        /* how many thresholds of the energy's growth were reported */
 } MpmHead;
+
+/* Columns of nodes that a chunk reaches, of bodies rows. */
+typedef struct MpmSpan {
+    int low, high;
+} MpmSpan;
 
 /* Particles that are worked on together: `rows` ranges of `count`, `stride` apart. */
 typedef struct MpmChunk {
     int first, count, rows, stride;
+    MpmSpan span; /* in which its particles begin */
+    int trouble;  /* the particle with which the run cannot go on, -1: none; and the stage that found it */
+    MpmOp found_by;
 } MpmChunk;
 
 /* A stage of a step: that which is going on, or the next one. */
@@ -124,17 +121,6 @@ typedef struct MpmTask {
     MpmOp op;
     long step;
 } MpmTask;
-
-/* The particle of a chunk with which the run cannot go on, and the stage that found it; -1: there is none. */
-typedef struct MpmTrouble {
-    int particle;
-    MpmOp op;
-} MpmTrouble;
-
-/* Columns of nodes that a chunk reaches, of bodies rows. */
-typedef struct MpmSpan {
-    int low, high;
-} MpmSpan;
 
 /* N and dN/ds along each axis. */
 typedef struct MpmWeights {
@@ -145,8 +131,9 @@ typedef struct MpmWeights {
 enum { HELD_X = 1 << 0, HELD_Y = 1 << 1 };
 
 typedef struct Mpm {
-    Simulation sim; /* first: an Mpm is a Simulation */
-    Stage stages[OP_COUNT];
+    Simulation sim;         /* first: an Mpm is a Simulation */
+    MpmOp ops[OP_COUNT];    /* of the present algorithm, */
+    Stage stages[OP_COUNT]; /* and what is said of them */
     Set sets[MPM_SETS];
     ForceWords force_words; /* the whole equation of the force stage */
     Exchange exchanges[MPM_TERMS];
@@ -232,9 +219,7 @@ typedef struct Mpm {
     bool held_known;
     long held_riding;
     int held_mistake;
-    MpmSpan *spans;        /* of each chunk: columns of nodes in which its particles begin */
     double *null;          /* of plane_null.c */
-    MpmTrouble *trouble;   /* of each chunk */
     unsigned char *backup; /* the particles at the beginning of a batch of steps */
     Pool *pool;            /* NULL: one thread */
 } Mpm;
@@ -371,9 +356,6 @@ void mpm_strain_step(const Mpm *, int particle, double e[MPM_STRESSES]);
 /* Its coordinate at rest. */
 double mpm_rest(const Mpm *, int axis, int particle);
 
-/* How far a particle of a line has come in the step going on. */
-double mpm_way(const Mpm *, int particle);
-
 /* base + s of a coordinate at present. */
 double mpm_grid_place(const Mpm *, int axis, double coordinate);
 
@@ -432,6 +414,7 @@ void mpm_find_held(Mpm *, long step);
 
 bool mpm_stage(Simulation *, int stage, size_t first, size_t end, Status *);
 bool mpm_steps(Simulation *, long count, double *rows, long *done, Status *);
+
 /* memory.c: how a simulation is made, and its state. */
 void mpm_derive(Mpm *, const MpmDef *); /* everything constant, from a definition that is sound */
 size_t mpm_lasting_bytes(const Mpm *, const MpmHead *); /* of the state that lasts from step to step */
@@ -467,7 +450,6 @@ enum {
 };
 bool mpm_is(const Mpm *, unsigned when);
 
-const MpmSchedule *mpm_schedule(const Mpm *);
 void mpm_list_stages(Mpm *);
 bool mpm_has_done(const Mpm *, MpmOp); /* whether the stage of `op` is done in the step going on */
 
@@ -513,6 +495,7 @@ bool bodies_begin(Mpm *, Status *);
 /* Puts a chunk where it is done: even ones first. */
 static inline void mpm_put_chunk(Mpm *mpm, int which, MpmChunk chunk)
 {
+    chunk.trouble = -1;
     mpm->chunks[which % 2 == 0 ? which / 2 : (mpm->n_chunks + 1) / 2 + which / 2] = chunk;
 }
 
@@ -545,9 +528,6 @@ static inline bool bodies_are_neo(const Mpm *mpm)
 {
     return mpm->bodies && mpm->def.law == LAW_NEO_HOOKEAN;
 }
-
-/* The body that a particle belongs to. */
-int bodies_body_of(const Mpm *, int particle);
 
 /* What both `fix` of a step did, behind the second one; and whether neighbours have parted, behind the step.
  */

@@ -45,6 +45,14 @@ static double strain_increment(const Mpm *mpm, int p, int component)
     return e[component];
 }
 
+static int body_of(const Mpm *mpm, int p)
+{
+    int body = 0;
+    while (mpm->first[body + 1] <= p)
+        body++;
+    return body;
+}
+
 static int cell_of(const Mpm *mpm, int p)
 {
     return mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge);
@@ -81,7 +89,7 @@ static double node_place(const Mpm *mpm, int axis, int node)
     KIND(P_MOMENTUM, mpm_mass(mpm, p) * mpm->v[0][p])                                                        \
     KIND(P_AFFINE, mpm->affine[p])                                                                           \
     KIND(P_STRETCH, mpm->volume[p] * mpm->def.particles_per_cell / mpm->dx)                                  \
-    KIND(P_BODY, bodies_body_of(mpm, p))                                                                     \
+    KIND(P_BODY, body_of(mpm, p))                                                                            \
     KIND(P_MISES, mises(mpm, p))                                                                             \
     KIND(P_PRESSURE, -(mpm->stress[0][p] + mpm->stress[1][p] + stress_across(mpm, p)) / 3.0)                 \
     KIND(P_JACOBIAN, mpm->volume[p] / mpm->volume_start)                                                     \
@@ -165,6 +173,7 @@ static const Field line[] = {
     NODE_FLAG(N_FIXED, 0, "fixed", "fixed", "1: a support holds the node"),
     NODE_SHOWN(N_VELOCITY_NEW, 0, "velocity_new", "new velocity", "length/time",
                "velocity after the force has acted: it moves the particles"),
+    {.set = 0},
 };
 
 static const Field plane[] = {
@@ -210,6 +219,7 @@ static const Field plane[] = {
     NODE_FLAG(N_FIXED, 0, "fixed", "fixed", "1: a support or the channel holds it, one way or both"),
     NODE_FLAG(N_HELD, 0, "held_x", "held x", "1: a support or the channel holds it along the beam"),
     NODE_FLAG(N_HELD, 1, "held_y", "held y", "1: a support or the channel holds it across"),
+    {.set = 0},
 };
 
 static const Field bodies[] = {
@@ -260,22 +270,18 @@ static const Field bodies[] = {
     NODE_SHOWN(N_NORMAL, 1, "ny", "normal y", "mass/length", "sum m dN/dy"),
     NODE_FLAG(N_ACTIVE, 0, "active", "active", "1: the node has mass"),
     NODE_FLAG(N_FIXED, 0, "fixed", "fixed", "1: a wall of the box acts on it"),
+    {.set = 0},
 };
 
 /* The slope C is a column of a bar's table with APIC, the acceleration where masses are not lumped; their
  * matrix is there only then, as far as it reaches. */
 void mpm_list_fields(Mpm *mpm)
 {
-    const Field *const rows = mpm->bodies ? bodies : mpm->dim == 2 ? plane : line;
-    const size_t n = mpm->bodies     ? sizeof bodies / sizeof *bodies
-                     : mpm->dim == 2 ? sizeof plane / sizeof *plane
-                                     : sizeof line / sizeof *line;
+    static const Field *const tables[] = {[MPM_BAR] = line, [MPM_BEAM] = plane, [MPM_BODIES] = bodies};
     const bool lumped = mpm_is_lumped(mpm);
     int count = 0;
-    _Static_assert(sizeof bodies / sizeof *bodies <= MPM_FIELDS &&
-                       sizeof plane / sizeof *plane <= MPM_FIELDS && sizeof line / sizeof *line <= MPM_FIELDS,
-                   "there is room for the fields");
-    for (const Field *row = rows; row < rows + n; row++) {
+    for (const Field *row = tables[mpm->def.problem]; row->quantity.name; row++) {
+        ASSERT_INT(count, <, MPM_FIELDS);
         if ((row->kind == N_MASS_BESIDE && (lumped || row->axis > mpm->support - 1)) ||
             (row->kind == P_STRETCH && mpm->shape != MPM_CPDI))
             continue;

@@ -51,19 +51,18 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     if (mpm->shape == MPM_CPDI)
         ARRAY(mpm->domain, particles);
     mpm->bytes_placed = size;
-    ARRAY(mpm->node_mass, nodes);
-    ARRAY(mpm->inverse, nodes);
+    /* the sums of a stage lie side by side: mpm_begin_stage() empties them at once */
     AXES(mpm->momentum, nodes);
-    AXES(mpm->force, nodes);
+    ARRAY(mpm->node_mass, nodes);
+    AXES(mpm->normal, mpm->bodies ? nodes : 0);
+    AXES(mpm->moment, mpm->bodies ? nodes : 0);
+    ARRAY(mpm->inverse, nodes);
     ARRAY(mpm->load, mpm->dim == 1 ? nodes : 0);
+    AXES(mpm->force, nodes);
     AXES(mpm->velocity, nodes);
     AXES(mpm->kick, nodes);
     AXES(mpm->carry, nodes);
-    for (int axis = 0; mpm->bodies && axis < 2; axis++) {
-        ARRAY(mpm->start[axis], nodes);
-        ARRAY(mpm->normal[axis], nodes);
-        ARRAY(mpm->moment[axis], nodes);
-    }
+    AXES(mpm->start, mpm->bodies ? nodes : 0);
     ARRAY(mpm->touched, mpm->bodies ? nodes : 0);
     ARRAY(mpm->lost, mpm->bodies ? (size_t)mpm->grid_nodes : 0);
     ARRAY(mpm->pivot, mpm->dim == 1 ? nodes : 0);
@@ -78,35 +77,11 @@ static size_t lay_out(Mpm *mpm, unsigned char *block)
     ARRAY(mpm->field, mpm->bodies ? particles : 0);
     AXES(mpm->at, mpm->bodies ? particles : 0);
     ARRAY(mpm->chunks, (size_t)mpm->n_chunks);
-    ARRAY(mpm->trouble, (size_t)mpm->n_chunks);
-    ARRAY(mpm->spans, (size_t)mpm->n_chunks);
     ARRAY(mpm->null, mpm->dim == 2 && !mpm->bodies && plane_null_pays(mpm) ? plane_null_numbers(mpm) : 0);
     ARRAY(mpm->backup, mpm->bytes_kept);
 #undef AXES
 #undef ARRAY
     return size;
-}
-
-static bool build(Mpm *mpm, Status *status)
-{
-    const size_t bytes = mpm->bytes_memory = lay_out(mpm, NULL);
-    mpm->memory = calloc(1, bytes + 64); /* pages that are never written cost nothing */
-    if (!mpm->memory)
-        return status_fail(status, "not enough memory for %d particles (%zu MB)", mpm->n_particles,
-                           bytes / 1000000 + 1);
-    mpm->block = (unsigned char *)mpm->memory + (64 - (uintptr_t)mpm->memory % 64);
-    lay_out(mpm, mpm->block);
-    if (!mpm->bodies)
-        mpm->field = NULL;
-    for (int k = 0; k < mpm->n_chunks; k++)
-        mpm->trouble[k].particle = -1;
-    mpm->sim.state = mpm->block;
-    mpm->sim.dt = mpm->dt;
-    mpm->sim.stage_items = (size_t)mpm->n_chunks;
-    mpm->sim.n_sets = MPM_SETS;
-    mpm->sim.counts[MPM_PARTICLES] = (size_t)mpm->n_particles;
-    mpm->sim.counts[MPM_NODES] = (size_t)mpm->n_nodes;
-    return true;
 }
 
 static void destroy(Simulation *sim)
@@ -321,10 +296,26 @@ Simulation *mpm_create(const MpmDef *def, Status *status)
     sim->method = &problems_by_mpm[def->problem].method;
     sim->has = problems_by_mpm[def->problem].has;
     mpm_derive(mpm, def);
-    bool sound = build(mpm, status);
-    if (sound)
-        take_live(mpm->head, &mpm->def);
-    sound = sound && problems_by_mpm[def->problem].begin(mpm, status);
+    mpm->bytes_memory = lay_out(mpm, NULL);
+    mpm->memory = calloc(1, mpm->bytes_memory + 64); /* pages that are never written cost nothing */
+    if (!mpm->memory) {
+        status_fail(status, "not enough memory for %d particles (%zu MB)", mpm->n_particles,
+                    mpm->bytes_memory / 1000000 + 1);
+        destroy(sim);
+        return NULL;
+    }
+    mpm->block = (unsigned char *)mpm->memory + (64 - (uintptr_t)mpm->memory % 64);
+    lay_out(mpm, mpm->block);
+    if (!mpm->bodies)
+        mpm->field = NULL;
+    sim->state = mpm->block;
+    sim->dt = mpm->dt;
+    sim->stage_items = (size_t)mpm->n_chunks;
+    sim->n_sets = MPM_SETS;
+    sim->counts[MPM_PARTICLES] = (size_t)mpm->n_particles;
+    sim->counts[MPM_NODES] = (size_t)mpm->n_nodes;
+    take_live(mpm->head, &mpm->def);
+    bool sound = problems_by_mpm[def->problem].begin(mpm, status);
     const int threads = mpm->def.threads > mpm->n_chunks / 2 ? mpm->n_chunks / 2 : mpm->def.threads;
     if (sound && threads > 1 && mpm->n_particles >= PARTICLES_TO_SHARE)
         sound = (mpm->pool = pool_create(threads, status)) != NULL;

@@ -224,32 +224,25 @@ static const StageWords rows[] = {
                 .source = "compressible neo-Hookean law"),
 };
 
-/* Of a line, of beams and of bodies. A table of the nodes is written when the forces are known and the
- * momentum is not yet integrated: then its momenta are those that kinetic_grid is made of. */
-static const MpmSchedule schedules[][3] = {
-    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_FORGET}, 7, 4},
-     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN, OP_FORGET}, 7, 3},
-     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN, OP_STRAIN, OP_FORGET},
-                   8,
-                   3}},
-    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE}, 7, 5},
-     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_STRAIN}, 7, 4},
-     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_FIX_FORCE, OP_INTEGRATE, OP_UPDATE, OP_MAP_AGAIN,
-                    OP_FIX_AGAIN, OP_STRAIN},
-                   9,
-                   4}},
-    {[MPM_USF] = {{OP_MAP, OP_FIX, OP_STRAIN, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE}, 7, 4},
-     [MPM_USL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_STRAIN}, 7, 3},
-     [MPM_MUSL] = {{OP_MAP, OP_FIX, OP_FORCE, OP_INTEGRATE, OP_FIX_MOVED, OP_UPDATE, OP_MAP_AGAIN,
-                    OP_FIX_AGAIN, OP_STRAIN},
-                   9,
-                   3}},
+/* All stages in their order: of which problems (0: all) and algorithms each is. */
+#define ANY (1 << MPM_USF | 1 << MPM_USL | 1 << MPM_MUSL)
+static const struct {
+    MpmOp op;
+    unsigned in, by;
+} order[] = {
+    {OP_MAP, 0, ANY},
+    {OP_FIX, 0, ANY},
+    {OP_STRAIN, 0, 1 << MPM_USF},
+    {OP_FORCE, 0, ANY},
+    {OP_FIX_FORCE, IN_BEAM, ANY},
+    {OP_INTEGRATE, 0, ANY},
+    {OP_FIX_MOVED, IN_BODIES, ANY},
+    {OP_UPDATE, 0, ANY},
+    {OP_MAP_AGAIN, 0, 1 << MPM_MUSL},
+    {OP_FIX_AGAIN, IN_PLANE, 1 << MPM_MUSL},
+    {OP_STRAIN, 0, ANY - (1 << MPM_USF)},
+    {OP_FORGET, IN_LINE, ANY},
 };
-
-const MpmSchedule *mpm_schedule(const Mpm *mpm)
-{
-    return &schedules[mpm->bodies ? 2 : mpm->dim == 2][mpm->head->algorithm];
-}
 
 static const unsigned groups[] = {IN_LINE | IN_PLANE,
                                   BY_FLIP | BY_SHARE | BY_APIC | BY_FMPM,
@@ -282,10 +275,16 @@ bool mpm_is(const Mpm *mpm, unsigned when)
 
 void mpm_list_stages(Mpm *mpm)
 {
-    const MpmSchedule *schedule = mpm_schedule(mpm);
-    for (int i = 0; i < schedule->count; i++) {
-        const MpmOp op = schedule->ops[i];
-        Stage *stage = &mpm->stages[i];
+    const unsigned by = 1u << mpm->head->algorithm;
+    int ready = 0; /* a table of the nodes is of momenta that are not yet integrated, as kinetic_grid is */
+    mpm->sim.n_stages = 0;
+    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+        if (!mpm_is(mpm, order[i].in) || !(order[i].by & by))
+            continue;
+        const MpmOp op = order[i].op;
+        ready = op == OP_INTEGRATE ? mpm->sim.n_stages : ready;
+        mpm->ops[mpm->sim.n_stages] = op;
+        Stage *stage = &mpm->stages[mpm->sim.n_stages++];
         *stage = stage_words(rows, sizeof rows / sizeof *rows, (int)op, run_of(mpm), groups);
         if (mpm->bodies && mpm->n_fields == 1 && strcmp(stage->equation, FIX_EQUATION) == 0)
             stage->equation = WALL_EQUATION;
@@ -294,8 +293,7 @@ void mpm_list_stages(Mpm *mpm)
         mpm_write_wrongly(mpm, stage, op);
     }
     mpm->sets[MPM_PARTICLES] = (Set){"particle", "particles", 0};
-    mpm->sets[MPM_NODES] = (Set){"node", "nodes", schedule->nodes_ready};
+    mpm->sets[MPM_NODES] = (Set){"node", "nodes", ready};
     mpm->sim.stages = mpm->stages;
-    mpm->sim.n_stages = schedule->count;
     mpm->sim.sets = mpm->sets;
 }

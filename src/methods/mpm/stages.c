@@ -92,13 +92,6 @@ static void mpm_report_crossings(Mpm *mpm)
  * mistake), any other one of a bar or a beam, one of bodies. */
 typedef enum Kind { PLAIN, OTHER, BODIES } Kind;
 
-static Kind kind_of(const Mpm *mpm)
-{
-    const bool plain = mpm->head->transfer == MPM_FLIP && mpm->head->flip_fraction == 1.0 &&
-                       mpm_is_lumped(mpm) && mpm->wrong == 0 && mpm->joint == mpm->n_particles;
-    return mpm->bodies ? BODIES : plain ? PLAIN : OTHER;
-}
-
 /* Does what is said with dimension, shape and kind as constants; or with dimension and shape. */
 #define WITH(the_dim, the_shape, ...)                                                                        \
     if (mpm->dim == (the_dim) && mpm->shape == (the_shape)) {                                                \
@@ -374,14 +367,6 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
     }
 }
 
-/* In the plane supports take the force of the nodes that they hold in a stage of its own. */
-static void fix_force(Mpm *mpm, int first, int end)
-{
-    for (int axis = 0; axis < mpm->dim; axis++)
-        for (int i = first; i < end; i++)
-            mpm->force[axis][i] = mpm_holds_force(mpm, axis, i) ? 0.0 : mpm->force[axis][i];
-}
-
 /* --- integrate momentum --------------------------------------------------------------------------- */
 
 /* Eqs. 12, 13: p_i += dt f_i; then what eqs. 14, 15 need of a node: kick = dt f_i/m_i and carry = p_i/m_i.
@@ -529,29 +514,27 @@ bool mpm_op_of_nodes(MpmOp op)
            op == OP_FIX_AGAIN;
 }
 
+static void empty(double *from, const double *end)
+{
+    memset(from, 0, (size_t)(end - from) * sizeof *from);
+}
+
 /* Done before the first item of a stage: sums begin at 0. */
 void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 {
-    const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);
+    const bool loaded = mpm->dim == 1 && mpm_is_loaded(mpm);
     if (op == OP_MAP)
-        memset(mpm->node_mass, 0, bytes);
-    for (int axis = 0; op == OP_MAP && mpm->bodies && axis < 2; axis++) {
-        memset(mpm->normal[axis], 0, bytes);
-        memset(mpm->moment[axis], 0, bytes);
-    }
+        empty(mpm->momentum[0], mpm->inverse);
+    else if (op == OP_MAP_AGAIN)
+        empty(mpm->momentum[0], mpm->node_mass);
+    else if (op == OP_FORCE)
+        empty(loaded ? mpm->load : mpm->force[0], mpm->velocity[0]);
     for (int d = 1; op == OP_MAP && d < mpm->support && !mpm_is_lumped(mpm); d++)
-        memset(mpm->couple[d], 0, bytes);
-    for (int axis = 0; axis < mpm->dim; axis++)
-        if (op == OP_MAP || op == OP_MAP_AGAIN)
-            memset(mpm->momentum[axis], 0, bytes);
-        else if (op == OP_FORCE)
-            memset(mpm->force[axis], 0, bytes);
-    if (op == OP_FORCE && mpm->dim == 1 && mpm_is_loaded(mpm))
-        memset(mpm->load, 0, bytes);
+        empty(mpm->couple[d], mpm->couple[d] + mpm->n_nodes);
     if (op == OP_UPDATE && mpm->dim == 1 && mpm->notes_sums) {
         mpm->head->moment = mpm_sum(mpm, mpm->u[0]);
         mpm->head->pushed = 0.0;
-        for (int i = 0; mpm_is_loaded(mpm) && i < mpm->n_nodes; i++)
+        for (int i = 0; loaded && i < mpm->n_nodes; i++)
             mpm->head->pushed += mpm->load[i];
     }
     for (int axis = 0; op == OP_UPDATE && mpm->notes_sums && !mpm->bodies && axis < mpm->dim; axis++)
@@ -570,7 +553,9 @@ void mpm_begin_stage(Mpm *mpm, MpmOp op, long step)
 /* Returns the first particle of [first, end) with which the run cannot go on; -1: there is none. */
 int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 {
-    const Kind kind_now = kind_of(mpm);
+    const bool plain = mpm->head->transfer == MPM_FLIP && mpm->head->flip_fraction == 1.0 &&
+                       mpm_is_lumped(mpm) && mpm->wrong == 0 && mpm->joint == mpm->n_particles;
+    const Kind kind_now = mpm->bodies ? BODIES : plain ? PLAIN : OTHER;
     const double shift = mpm_shift(mpm, task.step + 1); /* of the next step's grid */
     uint8_t *const crossed = mpm->bodies ? NULL : mpm->crossed;
     int bad = -1;
@@ -607,9 +592,11 @@ void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
             integrate_bodies(mpm, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
     else if (op == OP_INTEGRATE)
         integrate(mpm, first, end);
-    else if (op == OP_FIX_FORCE)
-        fix_force(mpm, first, end);
-    else
+    else if (op == OP_FIX_FORCE) { /* supports take the force of the nodes that they hold */
+        for (int axis = 0; axis < 2; axis++)
+            for (int i = first; i < end; i++)
+                mpm->force[axis][i] = mpm_holds_force(mpm, axis, i) ? 0.0 : mpm->force[axis][i];
+    } else
         fix(mpm,
             op == OP_FIX ? !mpm_does(mpm, WRONG_HOLDS_LATE) && !mpm_does(mpm, WRONG_HOLDS_NEVER)
                          : !mpm_does(mpm, WRONG_NO_SECOND_FIX),
@@ -648,8 +635,6 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
     case OP_FIX_AGAIN:
         mpm_move_with_mapped(mpm);
         return true;
-    case OP_FIX:
-        break;
     case OP_STRAIN:
         for (int i = 0; mpm_does(mpm, WRONG_HOLDS_LATE) && i < mpm->n_nodes; i++)
             for (int axis = 0; axis < mpm->dim; axis++)
@@ -691,10 +676,10 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
         }
         return true;
     default:
-        return true;
+        break;
     }
-    /* supports are done: the velocities of all nodes together */
-    if (!mpm_is_lumped(mpm)) {
+    if ((op == OP_FIX || op == OP_MAP_AGAIN) && !mpm_is_lumped(mpm)) {
+        /* supports are done: the velocities of all nodes together */
         if (op == OP_FIX)
             mpm_factor(mpm);
         memcpy(mpm->velocity[0], mpm->momentum[0], bytes);

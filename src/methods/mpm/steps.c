@@ -31,17 +31,17 @@ static bool judge(Mpm *mpm, MpmOp op, int first, int end, Status *status)
 {
     int worst = -1;
     for (int k = first; k < end; k++) {
-        MpmTrouble *trouble = &mpm->trouble[k];
-        if (trouble->particle < 0 || trouble->op != op)
+        MpmChunk *chunk = &mpm->chunks[k];
+        if (chunk->trouble < 0 || chunk->found_by != op)
             continue;
-        if (worst < 0 || trouble->particle < worst)
-            worst = trouble->particle;
-        trouble->particle = -1;
+        if (worst < 0 || chunk->trouble < worst)
+            worst = chunk->trouble;
+        chunk->trouble = -1;
     }
     if (worst < 0)
         return true;
     for (int k = 0; k < mpm->n_chunks; k++)
-        mpm->trouble[k].particle = -1;
+        mpm->chunks[k].trouble = -1;
     return mpm_fail_particle(
         mpm, status, worst,
         op != OP_STRAIN ? end_of(mpm, worst)
@@ -61,14 +61,13 @@ static void do_item(Mpm *mpm, MpmTask task, int item)
         mpm_do_nodes(mpm, task.op, (int)(n * item / mpm->n_chunks), (int)(n * (item + 1) / mpm->n_chunks));
         return;
     }
-    const MpmChunk *chunk = &mpm->chunks[item];
-    MpmTrouble *trouble = &mpm->trouble[item];
+    MpmChunk *chunk = &mpm->chunks[item];
     if (task.op == OP_FORGET)
-        mpm->spans[item] = (MpmSpan){INT_MAX, 0};
-    for (int row = 0; row < chunk->rows && trouble->particle < 0; row++) {
+        chunk->span = (MpmSpan){INT_MAX, 0};
+    for (int row = 0; row < chunk->rows && chunk->trouble < 0; row++) {
         const int first = chunk->first + row * chunk->stride;
-        trouble->particle = mpm_do_particles(mpm, task, &mpm->spans[item], first, first + chunk->count);
-        trouble->op = task.op;
+        chunk->trouble = mpm_do_particles(mpm, task, &chunk->span, first, first + chunk->count);
+        chunk->found_by = task.op;
     }
 }
 
@@ -91,7 +90,7 @@ static void do_items(void *context, int item, int worker)
 static bool are_apart(const Mpm *mpm, int first, int end)
 {
     for (int k = first; k + 1 < end; k++)
-        if (mpm->spans[k].high + mpm->support > mpm->spans[k + 1].low)
+        if (mpm->chunks[k].span.high + mpm->support > mpm->chunks[k + 1].span.low)
             return false;
     return true;
 }
@@ -154,13 +153,13 @@ static bool check_energy(Mpm *mpm, Status *status)
                                         "to 1000 times"};
     enum { LEVELS = sizeof levels / sizeof *levels };
     const bool beam = mpm->def.problem == MPM_BEAM;
-    Growth *growth = &mpm->head->growth;
+    MpmHead *head = mpm->head;
     if ((mpm->sim.step + 1) % BATCH_STEPS != 0)
         return true;
     const double body = mpm->mass[0] * mpm->n_particles * mpm->def.thickness;
     const double rounding = 1e-20 * body * mpm->speed * mpm->speed / 2;
-    growth->peak_work = fmax(growth->peak_work, beam ? 0 : fabs(mpm->head->work));
-    const double reference = fmax(mpm->energy_start, rounding) + growth->peak_work, energy = mpm_energy(mpm);
+    head->peak_work = fmax(head->peak_work, beam ? 0 : fabs(mpm->head->work));
+    const double reference = fmax(mpm->energy_start, rounding) + head->peak_work, energy = mpm_energy(mpm);
     if (!(energy <= bound * reference)) { /* a NaN fails too */
         char when[BATCH_WORDS_MAX];
         batch_step_words(&mpm->sim, beam ? " s" : "", when);
@@ -174,9 +173,9 @@ static bool check_energy(Mpm *mpm, Status *status)
                                    ? "another shape: " BAR_LIGHT_NODES
                                    : "another algorithm");
     }
-    while (growth->level < LEVELS && energy > levels[growth->level] * reference) {
+    while (head->level < LEVELS && energy > levels[head->level] * reference) {
         char text[80];
-        snprintf(text, sizeof text, "the energy has grown %s", words[growth->level++]);
+        snprintf(text, sizeof text, "the energy has grown %s", words[head->level++]);
         batch_report(&mpm->sim, EVENT_ENERGY, text);
     }
     return true;
@@ -190,13 +189,12 @@ bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
     ASSERT_INT(first, <=, end);
     ASSERT_INT(end, <=, sim->stage_items);
     Mpm *mpm = mpm_of(sim);
-    const MpmSchedule *schedule = mpm_schedule(mpm);
     mpm->notes_sums = true;
     /* what a step that can be looked at has not written yet is 0, so that its snapshots are the same bytes
      * whatever ran before */
     if (stage == 0 && first == 0)
         memset(mpm->block + mpm->bytes_placed, 0, mpm->bytes_whole - mpm->bytes_placed);
-    const MpmTask task = {schedule->ops[stage], sim->step};
+    const MpmTask task = {mpm->ops[stage], sim->step};
     if (first == 0)
         mpm_begin_stage(mpm, task.op, task.step);
     for (size_t item = first; item < end; item++)
@@ -204,7 +202,7 @@ bool mpm_stage(Simulation *sim, int stage, size_t first, size_t end, Status *sta
     const bool whole = end == sim->stage_items;
     if (!judge(mpm, task.op, (int)first, (int)end, status) || (whole && !mpm_end_stage(mpm, task.op, status)))
         return false;
-    if (!whole || stage + 1 < schedule->count)
+    if (!whole || stage + 1 < mpm->sim.n_stages)
         return true;
     const MpmTask forget = {OP_FORGET, sim->step}; /* in the plane a part of the last stage */
     return (mpm->dim == 1 || do_all(mpm, &forget, 1, status)) && check_energy(mpm, status);
@@ -230,7 +228,6 @@ static void put_back(Simulation *sim)
 static bool whole_steps(Simulation *sim, long count, double *rows, Status *status)
 {
     Mpm *mpm = mpm_of(sim);
-    const MpmSchedule *schedule = mpm_schedule(mpm);
     const bool rates = rows && mpm_row_has_rates(mpm);
     if (count > 0)
         mpm_map_and_fix(mpm);
@@ -239,8 +236,8 @@ static bool whole_steps(Simulation *sim, long count, double *rows, Status *statu
         MpmTask tasks[OP_COUNT + 2];
         int n_tasks = 0;
         mpm->notes_sums = last || rates;
-        for (int stage = 2; stage < schedule->count; stage++)
-            tasks[n_tasks++] = (MpmTask){schedule->ops[stage], sim->step};
+        for (int stage = 2; stage < mpm->sim.n_stages; stage++)
+            tasks[n_tasks++] = (MpmTask){mpm->ops[stage], sim->step};
         if (mpm->dim == 2)
             tasks[n_tasks++] = (MpmTask){OP_FORGET, sim->step};
         if (more)

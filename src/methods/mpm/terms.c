@@ -221,12 +221,14 @@ int mpm_exchange(const Simulation *sim, int exchange, size_t index, const Link *
             N = node >= first && node < first + mpm->support ? new[node - first] : 0.0;
         }
         return exchange_three(factors, mpm->dt, N, mpm->kick[axis][node] / mpm->dt);
-    case TERM_PLACE:
-        if (mpm->head->transfer == MPM_FMPM) /* the velocity before, no longer stored, is solved for */
-            return exchange_three(factors, mpm->dt, N,
-                                  0.5 *
-                                      (2.0 * mpm_way(mpm, p) / mpm->dt - mpm->v[0][p] + mpm->carry[0][node]));
-        return exchange_three(factors, mpm->dt, N, mpm_moving_velocity(mpm, axis, p, node));
+    case TERM_PLACE: {
+        if (mpm->head->transfer != MPM_FMPM)
+            return exchange_three(factors, mpm->dt, N, mpm_moving_velocity(mpm, axis, p, node));
+        /* the velocity before, no longer stored, is solved for from the way in this step */
+        const double way = ((mpm->rest[0][p] - base + mpm->u[0][p] / mpm->dx) - mpm->s[0][p]) * mpm->dx;
+        const double before = 2.0 * way / mpm->dt - mpm->v[0][p];
+        return exchange_three(factors, mpm->dt, N, 0.5 * (before + mpm->carry[0][node]));
+    }
     }
     return 0;
 }
