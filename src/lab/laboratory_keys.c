@@ -63,10 +63,6 @@ static void help_command(Laboratory *lab, CommandId id)
 static void click(Laboratory *lab, int x, int y)
 {
     Screen *screen = &lab->screen;
-    if (lab->parameters.rows.placing) {
-        row_edit_point(lab, x, y);
-        return;
-    }
     if (y == lab->height - 1) {
         CommandId id = screen_key_command(screen, lab->width, x);
         if (lab->help.open)
@@ -104,13 +100,11 @@ static void click(Laboratory *lab, int x, int y)
 }
 
 /* A value gets smaller to the left and larger to the right; the time follows the mouse. */
-static void drag(Laboratory *lab, int x, int y)
+static void drag(Laboratory *lab, int x)
 {
     enum { CELLS_A_NUDGE = 2 };
     const int nudges = (x - lab->held.drag_x) / CELLS_A_NUDGE;
-    if (lab->parameters.rows.placing) {
-        row_edit_point(lab, x, y);
-    } else if (lab->held.drag == DRAG_TIME) {
+    if (lab->held.drag == DRAG_TIME) {
         player_seek(lab, screen_timeline_nearest(&lab->screen, lab->width, lab->height, x), 0);
     } else if (lab->held.drag == DRAG_VALUE && nudges != 0) {
         lab->parameters.edit.open = false; /* the press began a drag, not an edit */
@@ -124,26 +118,27 @@ static void drag(Laboratory *lab, int x, int y)
 static bool mouse_key(Laboratory *lab, const Key *key)
 {
     bool busy = lab->prompting.shown.open || lab->parameters.edit.open;
-    const bool drags = strcmp(key->name, "Drag") == 0;
+    const bool clicks = strcmp(key->name, "Click") == 0, drags = strcmp(key->name, "Drag") == 0;
+    const bool turns = strncmp(key->name, "Wheel", 5) == 0;
     if (!drags)
         lab->held.drag = DRAG_NOTHING;
-    if (strcmp(key->name, "Click") == 0) {
-        if (!busy)
-            click(lab, key->x, key->y);
-    } else if (drags) {
-        drag(lab, key->x, key->y);
-    } else if (strcmp(key->name, "WheelUp") == 0 || strcmp(key->name, "WheelDown") == 0) {
-        if (!busy) {
-            const int direction = key->name[5] == 'U' ? -1 : 1;
-            enum { LINES = 3 };
-            if (lab->help.open)
-                scroll_help(lab, LINES * direction);
-            else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, key->x, key->y,
-                                         LINES * direction))
-                laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
-        }
-    } else
+    if (!clicks && !drags && !turns)
         return false;
+    if (lab->parameters.rows.placing) {
+        row_edit_point(lab, turns ? -1 : key->x, key->y);
+    } else if (drags) {
+        drag(lab, key->x);
+    } else if (clicks && !busy) {
+        click(lab, key->x, key->y);
+    } else if (!busy) {
+        const int direction = key->name[5] == 'U' ? -1 : 1;
+        enum { LINES = 3 };
+        if (lab->help.open)
+            scroll_help(lab, LINES * direction);
+        else if (!screen_scroll_view(&lab->screen, lab->width, lab->height, key->x, key->y,
+                                     LINES * direction))
+            laboratory_command(lab, direction < 0 ? COMMAND_UP : COMMAND_DOWN);
+    }
     return true;
 }
 

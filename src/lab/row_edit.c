@@ -267,19 +267,18 @@ bool row_edit_key(Laboratory *lab, const char *key)
     return true;
 }
 
-/* An end comes to the nearest whole spacing, between the nodes. */
+/* An end comes to the nearest whole spacing, between the nodes; from beside the map it stays. */
 void row_edit_point(Laboratory *lab, int x, int y)
 {
     const RowsShown *shown = &lab->parameters.rows;
     const Settings *draft = lab->editing.draft;
     double place[2], by[2] = {0, 0};
     int columns[2];
-    if (!shown->placing || !view_map_place(&lab->screen, lab->width, lab->height, x, y, place))
-        return;
+    const bool there = view_map_place(&lab->screen, lab->width, lab->height, x, y, place);
     columns_of_end(draft, shown->kind, shown->row, shown->end == ROW_SECOND_END, columns);
     const double spacing = spacing_of(draft, shown->kind);
     for (int axis = 0; axis < 2; axis++)
-        if (columns[axis] >= 0)
+        if (there && columns[axis] >= 0)
             by[axis] = spacing * round(place[axis] / spacing) -
                        settings_row_value(draft, shown->kind, shown->row, columns[axis]);
     shift(lab, by);

@@ -402,7 +402,9 @@ START_TEST(bodies_are_edited_by_keys)
     press_all(bench, "A Enter");
     rows = &experiment_settings(bench->lab.player.duel.a)->rows[ROWS_BODIES];
     ck_assert_int_eq(rows->count, 3);
-    press_all(bench, "p Right Right Up Enter");
+    press_all(bench, "p Right Right Up WheelDown");
+    ck_assert(shows(bench, "arrows move it")); /* the wheel chooses no parameter meanwhile */
+    press(bench, "Enter");
     rows = &experiment_settings(bench->lab.player.duel.a)->rows[ROWS_BODIES];
     settings_row_show(experiment_settings(bench->lab.player.duel.a), ROWS_BODIES, 2, text);
     ck_assert_str_eq(text, "disc 55% 52.5% 0.1"); /* a particle is a fortieth of the box */
