@@ -118,7 +118,8 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
 {
     Editing *editing = &lab->editing;
     const Settings old = *experiment_base(laboratory_run(lab));
-    bool same = settings_same(laboratory_settings(lab), settings);
+    const bool same = settings_same(laboratory_settings(lab), settings);
+    const bool unchanged = same && settings_output_same(laboratory_settings(lab), settings);
     const long step = player_place(lab).step;
     /* the time on screen is a multiple of the time step; edits of the step in a row would make it wander */
     if (step != editing->anchor_step)
@@ -134,15 +135,18 @@ bool edit_change(Laboratory *lab, const Settings *settings, DuelChange verb, Sta
         return_to_time(lab); /* the same run with another column */
         player_settle(lab);
     }
-    if (same)
+    if (unchanged)
         return true;
-    return_to_time(lab);
+    if (!same)
+        return_to_time(lab);
     if (editing->n_undo == UNDO_MAX) /* the oldest change makes room */
         memmove(editing->undo, editing->undo + 1, (size_t)--editing->n_undo * sizeof *editing->undo);
     editing->undo[editing->n_undo++] = old;
     editing->n_redo = 0;
-    edit_changed(lab);
-    player_tell_duel_over(lab, &said);
+    if (!same) {
+        edit_changed(lab);
+        player_tell_duel_over(lab, &said);
+    }
     return true;
 }
 

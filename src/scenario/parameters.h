@@ -233,6 +233,8 @@ bool settings_check(const Settings *, Status *);
 
 /* Whether two settings lead to the same run. */
 bool settings_same(const Settings *a, const Settings *b);
+/* Whether they write the same of a run. */
+bool settings_output_same(const Settings *a, const Settings *b);
 
 /* Whether a parameter of both has another value, as a file would have it. */
 bool settings_differ(const Settings *a, const Settings *b, const Parameter *);

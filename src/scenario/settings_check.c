@@ -248,6 +248,14 @@ bool settings_changes_same(const Settings *a, const Settings *b)
     return true;
 }
 
+bool settings_output_same(const Settings *a, const Settings *b)
+{
+    for (int i = 0; i < n_parameters; i++)
+        if (parameters[i].output && settings_differ(a, b, &parameters[i]))
+            return false;
+    return true;
+}
+
 bool settings_same(const Settings *a, const Settings *b)
 {
     for (int i = 0; i < n_parameters; i++)
@@ -296,7 +304,7 @@ static bool name_values(const Settings *a, const Settings *b, bool change, char 
         const Parameter *parameter = &parameters[i];
         const bool bare = !change && parameter->named;
         char own[LIST_MAX], other[LIST_MAX], item[2 * LIST_MAX + 64];
-        if (!differ_in(a, b, parameter))
+        if (!differ_in(a, b, parameter) && !(change && parameter->output && settings_differ(a, b, parameter)))
             continue;
         settings_spell(a, parameter, own);
         settings_spell(b, parameter, other);
