@@ -23,7 +23,7 @@ double bar_mass_blend_auto(MpmShape shape, int particles_per_cell, double couran
     return fmin(1.0, 0.5 - (stiffness - courant * courant / 12.0) / (2.0 * filter));
 }
 
-/* Particles that are worked on together: few chunks, as arrays are read ahead in each anew, and enough for
+/* Particles that are worked on together: few chunks, as arrays are read ahead again in each, and enough for
  * threads. */
 static int chunk_of(int particles)
 {
