@@ -164,7 +164,7 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
     if (!chosen_value(lab, &row))
         return;
     const Parameter *parameter = row.parameter;
-    if (parameter ? settings_nudge(&settings, parameter, direction, fine)
+    if (parameter ? settings_nudge(&settings, parameter, direction, fine, &status)
                   : settings_row_nudge(&settings, &row.place, direction, fine)) {
         if (!edit_change(lab, &settings, experiment_edit, &status))
             laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
@@ -172,6 +172,8 @@ void edit_nudge(Laboratory *lab, int direction, bool fine)
         const RowKind *kind = &row_kinds[row.place.kind];
         laboratory_tell(lab, "%s of a %s: there is no next one", kind->columns[row.place.value - 1].word,
                         kind->one);
+    } else if (status.text[0]) {
+        laboratory_tell(lab, "%s", status.text);
     } else {
         /* a key that did nothing at the end of a range would seem broken */
         char range[96] = "Enter edits it";

@@ -191,8 +191,9 @@ double settings_number(const Settings *, const Parameter *);
 
 /* The next value upwards (+1) or downwards (-1) by the parameter's nudge, kept in its range and such that
  * settings_check() allows it; a fine one goes by the second digit, a tenth of a spacing, a cell more or less.
- * False: there is none, nothing is changed. */
-bool settings_nudge(Settings *, const Parameter *, int direction, bool fine);
+ * False: there is none, nothing is changed; `why` (or NULL) has text where the nearest value is not allowed.
+ */
+bool settings_nudge(Settings *, const Parameter *, int direction, bool fine, Status *why);
 
 /* The same for a value of rows: places by spacings, numbers up and down the ladder 1, 2, 5. */
 bool settings_row_nudge(Settings *, const RowPlace *, int direction, bool fine);

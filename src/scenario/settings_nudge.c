@@ -134,7 +134,7 @@ static double nudged(const Settings *settings, const Parameter *parameter, doubl
     return value;
 }
 
-bool settings_nudge(Settings *settings, const Parameter *parameter, int direction, bool fine)
+bool settings_nudge(Settings *settings, const Parameter *parameter, int direction, bool fine, Status *why)
 {
     ASSERT(direction == 1 || direction == -1);
     enum { TRIES = 60 }; /* a rung that the other values do not allow is passed over */
@@ -162,7 +162,7 @@ bool settings_nudge(Settings *settings, const Parameter *parameter, int directio
             return false;
         Settings candidate = *settings;
         settings_put(&candidate, parameter, next);
-        if (settings_check(&candidate, NULL)) {
+        if (settings_check(&candidate, i == 0 ? why : NULL)) {
             *settings = candidate;
             return true;
         }
@@ -199,7 +199,7 @@ bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
     const Parameter row = parameter_in(parameter, settings->problem);
     if (parameter_is_size(parameter)) { /* one rung below the usual one and, from anywhere else, back to it */
         if (settings_number(settings, parameter) == row.usual)
-            return settings_nudge(settings, parameter, -1, false);
+            return settings_nudge(settings, parameter, -1, false, NULL);
         Settings candidate = *settings;
         settings_put(&candidate, parameter, row.usual);
         if (!settings_check(&candidate, NULL))
@@ -214,5 +214,5 @@ bool settings_answer_otherwise(Settings *settings, const Parameter *parameter)
         settings_get(settings, parameter, now);
         return settings_set(settings, parameter->key, strcmp(now, "none") == 0 ? usual : "none", NULL);
     }
-    return settings_nudge(settings, parameter, 1, false);
+    return settings_nudge(settings, parameter, 1, false, NULL);
 }

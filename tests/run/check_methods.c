@@ -126,22 +126,22 @@ START_TEST(the_method_is_a_field_that_can_be_nudged)
 {
     Settings settings = bar_settings(5, 1), other = settings;
     char name[LEGEND_MAX];
-    ck_assert(settings_nudge(&other, parameter_find("scenario.method"), 1, false));
+    ck_assert(settings_nudge(&other, parameter_find("scenario.method"), 1, false, NULL));
     ck_assert_int_eq(other.method, METHOD_PD);
     settings_name(&settings, &other, name, sizeof name);
     ck_assert_str_eq(name, "MPM");
     /* from what "auto" comes to */
-    ck_assert(settings_nudge(&other, parameter_find("pd.horizon"), 1, false));
+    ck_assert(settings_nudge(&other, parameter_find("pd.horizon"), 1, false, NULL));
     ck_assert_double_eq(settings_lattice(&other)->horizon, 2);
-    ck_assert(settings_nudge(&other, parameter_find("pd.spacing"), -1, false));
+    ck_assert(settings_nudge(&other, parameter_find("pd.spacing"), -1, false, NULL));
     ck_assert_double_eq(settings_lattice(&other)->spacing, 0.25);
     /* the volume correction of the beams is passed over */
-    ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1, false));
+    ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1, false, NULL));
     ck_assert_int_eq(settings_lattice(&other)->surface_correction, SURFACE_NONE);
-    ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1, false));
+    ck_assert(settings_nudge(&other, parameter_find("pd.surface_correction"), 1, false, NULL));
     ck_assert_int_eq(settings_lattice(&other)->surface_correction, SURFACE_ENERGY);
     Settings beam = beam_settings(&problem_notched_beam, 1e-5);
-    ck_assert(!settings_nudge(&beam, parameter_find("scenario.method"), 1, false));
+    ck_assert(!settings_nudge(&beam, parameter_find("scenario.method"), 1, false, NULL));
 }
 END_TEST
 

@@ -597,7 +597,7 @@ START_TEST(a_concealed_one_is_made_and_not_told)
     simulation_destroy(a);
     simulation_destroy(b);
     simulation_destroy(c);
-    ck_assert(settings_nudge(&hidden, row, 1, false)); /* its neighbours would tell it */
+    ck_assert(settings_nudge(&hidden, row, 1, false, NULL)); /* its neighbours would tell it */
     ck_assert_ptr_null(settings_mistake(&hidden));
 }
 END_TEST

@@ -216,8 +216,8 @@ END_TEST
 
 static void expect_nudge(Settings *settings, const char *key, int direction, const char *value)
 {
-    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction, false), "%s %+d: nothing", key,
-                  direction);
+    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction, false, NULL), "%s %+d: nothing",
+                  key, direction);
     expect(settings, key, value);
     ck_assert(settings_check(settings, NULL));
 }
@@ -261,8 +261,8 @@ END_TEST
 
 static void expect_fine(Settings *settings, const char *key, int direction, const char *value)
 {
-    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction, true), "%s %+d: nothing", key,
-                  direction);
+    ck_assert_msg(settings_nudge(settings, parameter_find(key), direction, true, NULL), "%s %+d: nothing",
+                  key, direction);
     expect(settings, key, value);
 }
 
@@ -287,7 +287,7 @@ START_TEST(fine_nudges_take_a_little_more)
     expect_fine(&bar, "mpm.algorithm", 1, "usl");
     expect_fine(&beam, "notch.position", 1, "0.0655");
     expect_fine(&beam, "load.stress", 1, "61000000");
-    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1, true));
+    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1, true, NULL));
 }
 END_TEST
 
@@ -297,7 +297,7 @@ START_TEST(nudges_take_the_next_value)
     expect_nudge(&bar, "initial.mode", 1, "2");
     expect_nudge(&bar, "mesh.cell_size", -1, "0.5");
     expect_nudge(&bar, "mesh.cell_size", 1, "1");
-    ck_assert(!settings_nudge(&bar, parameter_find("mesh.cell_size"), 1, false)); /* 12.5 cells */
+    ck_assert(!settings_nudge(&bar, parameter_find("mesh.cell_size"), 1, false, NULL)); /* 12.5 cells */
     expect(&bar, "mesh.cell_size", "1");
     expect_nudge(&bar, "initial.velocity", 1, "0.2");
     expect_nudge(&bar, "initial.velocity", 1, "0.5");
@@ -316,19 +316,19 @@ START_TEST(nudges_take_the_next_value)
     expect_nudge(&bar, "mpm.flip_fraction", 1, "1");
     expect_nudge(&bar, "time.courant", -1, "0.05");
     expect_nudge(&bar, "time.courant", -1, "0.025");
-    ck_assert(!settings_nudge(&bar, parameter_find("mpm.flip_fraction"), 1, false));
+    ck_assert(!settings_nudge(&bar, parameter_find("mpm.flip_fraction"), 1, false, NULL));
     set(&bar, "mesh.particles_per_cell", "8");
-    ck_assert(!settings_nudge(&bar, parameter_find("mesh.particles_per_cell"), 1, false));
+    ck_assert(!settings_nudge(&bar, parameter_find("mesh.particles_per_cell"), 1, false, NULL));
     expect_nudge(&bar, "output.every", 1, "2");
     expect_nudge(&bar, "output.frames", 1, "1");
     expect_nudge(&bar, "output.frames", -1, "");
-    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1, false));
+    ck_assert(!settings_nudge(&bar, parameter_find("initial.overtones"), 1, false, NULL));
     expect_nudge(&beam, "load.width", 1, "0.0035");
     expect_nudge(&beam, "notch.position", -1, "0.06");
     expect_nudge(&beam, "supports.pinned", 1, "yes");
     expect_nudge(&beam, "load.stress", 1, "100000000");
     expect_nudge(&beam, "pd.critical_stretch", 1, "0.001");
-    ck_assert(!settings_nudge(&beam, parameter_find("mesh.cell_size"), 1, false));
+    ck_assert(!settings_nudge(&beam, parameter_find("mesh.cell_size"), 1, false, NULL));
 }
 END_TEST
 

@@ -61,7 +61,7 @@ static void add_values(Candidate *out, int *count, const Settings *right, const 
     for (int direction = -1; direction <= 1; direction += 2) {
         Settings moved = *right;
         const int steps = parameter->nudge == NUDGE_DOUBLE ? 1 : NEIGHBOURS;
-        for (int i = 0; i < steps && settings_nudge(&moved, parameter, direction, false); i++)
+        for (int i = 0; i < steps && settings_nudge(&moved, parameter, direction, false, NULL); i++)
             add(out, count, parameter, settings_number(&moved, parameter), 0);
     }
 }
@@ -525,7 +525,7 @@ void diagnose_tell_apart(const Settings *a, const Settings *b, const DiagnoseTab
         for (int direction = -1; direction <= 1; direction += 2) {
             Settings others[2] = {*a, *b};
             char value[LIST_MAX];
-            if (!settings_nudge(&others[0], parameter, direction, false))
+            if (!settings_nudge(&others[0], parameter, direction, false, NULL))
                 continue;
             settings_get(&others[0], parameter, value);
             if (!settings_change(&others[1], parameter->key, value, NULL))

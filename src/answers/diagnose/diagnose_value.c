@@ -137,7 +137,8 @@ bool diagnose_find_value(const DiagnoseTask *task, const DiagnoseTable *table, c
     Settings moved = *task->settings;
     const double now = settings_number(task->settings, parameter);
     Seek seek = {.task = task, .table = table, .parameter = parameter, .own_step = own_step, .tried = tried};
-    if (!settings_nudge(&moved, parameter, 1, true) && !settings_nudge(&moved, parameter, -1, true))
+    if (!settings_nudge(&moved, parameter, 1, true, NULL) &&
+        !settings_nudge(&moved, parameter, -1, true, NULL))
         return false;
     seek.scale = fabs(settings_number(&moved, parameter) - now);
     seek.values[0] = malloc(entries * sizeof(double));

@@ -21,7 +21,7 @@ void command_question(Laboratory *lab)
     else if (second &&
              settings_number(&settings, parameter) ==
                  settings_number(experiment_settings(second), parameter) &&
-             (!settings_nudge(&settings, parameter, 1, false) || settings_same(&before, &settings)))
+             (!settings_nudge(&settings, parameter, 1, false, NULL) || settings_same(&before, &settings)))
         laboratory_tell(lab, "both answers are on screen already; d ends the duel");
     else if (!edit_change(lab, &settings, experiment_rerun, &status))
         laboratory_say(lab, MESSAGE_ERROR, "%s", status.text);
