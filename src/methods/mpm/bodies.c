@@ -131,13 +131,10 @@ static void set_moving(Mpm *mpm, BodiesField *field, const void *context, int p)
     mpm->v[1][p] = v[1];
     if (mpm->head->transfer != MPM_APIC)
         return;
-    for (int k = 0; k < 4; k++) {
-        const int axis = k % 2;
-        MpmWeights w;
-        shape_at(mpm->shape, mpm->half, 1 << 20, 2, mpm->s[axis][p], w.n[axis], w.dn[axis]);
-        mpm->rate[k][p] =
-            gradient[k] * (mpm->dx * mpm->dx) * mpm_spread(mpm->shape, mpm->edge, mpm->s[axis][p], w.n[axis]);
-    }
+    const MpmWeights w = mpm_weights_of(mpm, p);
+    for (int k = 0; k < 4; k++)
+        mpm->rate[k][p] = gradient[k] * (mpm->dx * mpm->dx) *
+                          mpm_spread(mpm->shape, mpm->edge, mpm->s[k % 2][p], w.n[k % 2]);
 }
 
 /* By what a run that grows without bound is known. */

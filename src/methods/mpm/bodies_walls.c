@@ -115,11 +115,22 @@ static void touch(Mpm *mpm, int node)
         }
 }
 
-/* Then the velocities of nodes: after the first `fix` those that strain with USF; after the second carry =
- * q/m and kick = (q - q0)/m of eqs. 14, 15, and the velocity that strains with USL; after the third that of
- * MUSL. */
-void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
+/* New momenta; or walls and contact, and then the velocities of nodes: after the first `fix` those that
+ * strain with USF; after the second carry = q/m and kick = (q - q0)/m of eqs. 14, 15, and the velocity that
+ * strains with USL; after the third that of MUSL. */
+void bodies_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
 {
+    const double dt = mpm->dt, damping = mpm->def.damping;
+    for (int k = 0; op == OP_INTEGRATE && k < 2 * mpm->n_fields; k++) { /* q += dt (f - damping q) */
+        const size_t field = (size_t)(k / 2) * (size_t)mpm->grid_nodes;
+        double *const q = mpm->momentum[k % 2] + field;
+        const double *const f = mpm->force[k % 2] + field;
+#pragma omp simd
+        for (int i = first; i < end; i++)
+            q[i] += dt * (f[i] - damping * q[i]);
+    }
+    if (op == OP_INTEGRATE)
+        return;
     const bool idle = op == OP_FIX && mpm_does(mpm, WRONG_NO_FIRST_FIX);
     const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
     for (int i = first; op == OP_FIX && i < end; i++)

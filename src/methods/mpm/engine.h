@@ -7,15 +7,13 @@
  *
  *     r = rest + u/dx - shift,    base = floor(r) (its first node),    s = r - base
  *
- * is found in the first stage of a step and holds for all of its stages: shape functions are those of the old
- * place throughout, and small displacements keep all their digits. `shift` is the way of a grid that rides.
+ * is found at the end of the step before and holds for all stages: shape functions are those of the old place
+ * throughout, and small displacements keep all their digits. `shift` is the way of a grid that rides.
  *
  * A stage is a plain function over a range of particles or nodes (stages.c); a step is the list of its stages
  * (steps.c). Particles are worked on in chunks, of which each is a piece of the body; those that give to
  * nodes come in the order of chunks 0, 2, 4 .. 1, 3, 5 .., so that each sum has its order however many
- * threads there are: chunks of one colour that share no nodes may be done at once.
- *
- * Mistakes are flags that the stages ask (mistakes.h). */
+ * threads there are: chunks of one colour that share no nodes may be done at once. */
 #ifndef METHODS_MPM_ENGINE_H
 #define METHODS_MPM_ENGINE_H
 
@@ -347,17 +345,13 @@ MPM_INLINE double mpm_spread(const MpmShape shape, double edge, double s, const 
 MpmWeights mpm_weights(const Mpm *, double half, int base, const double *s);
 MpmWeights mpm_weights_of(const Mpm *, int particle);
 
-/* The velocity of a node by which a particle is strained: of bodies its own where the node is light. */
+/* The velocity of a node by which a particle is strained: of bodies its own where the node is light; and the
+ * strain of this step that comes of it: xx, yy and gamma xy; of a line the first. */
 double mpm_straining_velocity(const Mpm *, int axis, int particle, int node);
-
-/* The strain of this step, from the velocities that make it: xx, yy and gamma xy; of a line the first. */
 void mpm_strain_step(const Mpm *, int particle, double e[MPM_STRESSES]);
 
-/* Its coordinate at rest. */
-double mpm_rest(const Mpm *, int axis, int particle);
-
-/* base + s of a coordinate at present. */
-double mpm_grid_place(const Mpm *, int axis, double coordinate);
+double mpm_rest(const Mpm *, int axis, int particle);            /* its coordinate at rest */
+double mpm_grid_place(const Mpm *, int axis, double coordinate); /* base + s of one at present */
 
 /* --- nodes ---------------------------------------------------------------------------------------- */
 
@@ -411,7 +405,6 @@ double mpm_mass_between(const Mpm *, int i, int j);
 /* --- stages.c, steps.c ------------------------------------------------------------------------------ */
 
 void mpm_find_held(Mpm *, long step);
-
 bool mpm_stage(Simulation *, int stage, size_t first, size_t end, Status *);
 bool mpm_steps(Simulation *, long count, double *rows, long *done, Status *);
 
@@ -534,8 +527,8 @@ static inline bool bodies_are_neo(const Mpm *mpm)
 void bodies_note_contact(Mpm *);
 void bodies_note_tear(Mpm *);
 void bodies_note_spin(Mpm *); /* and the sums over steps of a disc that spins alone */
-/* Walls and contact on nodes [first, end) of the grid. */
-void bodies_fix(Mpm *, MpmOp, int first, int end);
+/* Walls, contact and new momenta on nodes [first, end) of the grid. */
+void bodies_do_nodes(Mpm *, MpmOp, int first, int end);
 
 /* What contact does at a node of the grid between the fields a and b, whose momenta there are q. */
 typedef struct Meeting {

@@ -86,6 +86,11 @@ bool mpm_change_mistake(Mpm *, int mistake, Status *);
 void mpm_write_wrongly(const Mpm *, Stage *, MpmOp);
 
 /* The numbers that the stages of such a code take, or of any. */
+static inline bool mpm_adds_to_grid(const Mpm *mpm, MpmOp map) /* to what the nodes had */
+{
+    return (map == OP_MAP && mpm_does(mpm, WRONG_KEEPS_GRID)) ||
+           (map == OP_MAP_AGAIN && mpm_does(mpm, WRONG_KEEPS_TWICE));
+}
 bool mpm_holds_momentum(const Mpm *, MpmOp stage, int node); /* takes it away at this stage */
 static inline bool mpm_holds_force(const Mpm *mpm, int axis, int node)
 {

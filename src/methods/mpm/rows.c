@@ -20,15 +20,9 @@
  * less kinetic_grid is not all hidden: lumped masses see even a smooth mode with too little energy (1.7e-3 of
  * it at 4 cells in the height of a beam, 4e-4 at 8).
  *
- * Of bodies
- *
- *     kinetic    sum m v^2/2
- *     strain     sum V stress : D^-1 stress/2 (hypoelastic: no potential, only nearly kept), or
- *                sum V0 (G (tr F F^T - 2)/2 - G ln J + lambda (ln J)^2/2) (neo-Hookean)
- *     potential  -sum m g . x
- *     friction   what walls and contact took by it
- *     angular    about the middle of the box: sum m (x - c) x v, with APIC + sum m (B_yx - B_xy)
- *     NAME.spin  the body's own angular momentum, without B, over its own moment of inertia */
+ * Of bodies strain is sum V stress : D^-1 stress/2 (hypoelastic: no potential, only nearly kept) or
+ * sum V0 (G (tr F F^T - 2)/2 - G ln J + lambda (ln J)^2/2) (neo-Hookean), the angular momentum, about the
+ * middle of the box, with APIC sum m ((x - c) x v + B_yx - B_xy), a body's own spin without B. */
 #include "base/assertion.h"
 #include "base/math/functions.h"
 #include "methods/axial.h"

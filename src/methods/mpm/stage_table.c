@@ -10,9 +10,8 @@
  * with the latter mapped again from the particles; gradients are those of the old places in all three. In the
  * plane the last stage forgets the grid; supports are a stage of their own on the force, for a channel that
  * draws the beam along does work there, and hold what was mapped again; walls and contact of bodies act once
- * more behind `integrate`. The transfer (FLIP, PIC blend, APIC, FMPM), the masses (lumped, blended) and the
- * law of bodies change what some stages say. Of the force stage of a line they say what
- * is made of f_int and f_ext, loads.c says what these are. The work of a stage is stages.c. */
+ * more behind `integrate`. Of the force stage of a line the rows say what is made of f_int and f_ext, loads.c
+ * says what these are. The work of a stage is stages.c. */
 #include "methods/mpm/mistakes.h"
 
 #include <string.h>
@@ -58,7 +57,7 @@ static const StageWords rows[] = {
                 "m_i, p_i, f_i are dropped; the mesh is where it was", "paper M, after eq. 15",
                 "The particles keep the whole state; the mesh begins the next step empty and undistorted.",
                 "x", "cell"),
-    STAGE_WORDS(OP_UPDATE, IN_LINE | BY_SHARE,
+    STAGE_WORDS(OP_UPDATE, IN_LINE | IN_BEAM | BY_SHARE,
                 .equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
                             "x_p ← x_p + Δt Σ N_i p_i/m_i",
                 .source = "eqs. 14, 15 with PIC", .sentence = SHARE_OF_PIC),
@@ -159,10 +158,7 @@ static const StageWords rows[] = {
                 NULL, "mass vx vy", "px py"),
     STAGE_WORDS(OP_FIX_AGAIN, IN_PLANE, "hold_again", "supports again", "held: p_x = m_i v₀,  p_y = 0",
                 "as before", "The new momentum is constrained as before.", "mass px py", "px py vx vy"),
-    STAGE_WORDS(OP_UPDATE, IN_BEAM | BY_SHARE,
-                .equation = "v_p ← α (v_p + Δt Σ N_i f_i/m_i) + (1 - α) Σ N_i p_i/m_i\n"
-                            "x_p ← x_p + Δt Σ N_i p_i/m_i",
-                .source = "paper M, eqs. 14, 15 with PIC",
+    STAGE_WORDS(OP_UPDATE, IN_BEAM | BY_SHARE, .source = "paper M, eqs. 14, 15 with PIC",
                 .sentence = SHARE_OF_PIC " Then the grid is reset."),
     STAGE_WORDS(OP_STRAIN, IN_BEAM | IS_TURNED,
                 .equation = "L = Σ (p_i/m_i) ⊗ ∇N_i    σ ← Q σ Qᵀ + D Δt sym L    ρ ← ρ/(1 + Δt tr L)",
@@ -254,10 +250,9 @@ static const unsigned groups[] = {IN_LINE | IN_PLANE,
 
 static unsigned run_of(const Mpm *mpm)
 {
+    static const unsigned in[] = {[MPM_BAR] = IN_LINE, [MPM_BEAM] = IN_BEAM, [MPM_BODIES] = IN_BODIES};
     const MpmHead *head = mpm->head;
-    return (mpm->bodies     ? IN_BODIES
-            : mpm->dim == 2 ? IN_BEAM
-                            : IN_LINE) |
+    return in[mpm->def.problem] |
            (head->transfer == MPM_APIC   ? BY_APIC
             : head->transfer == MPM_FMPM ? BY_FMPM
             : head->flip_fraction == 1.0 ? BY_FLIP

@@ -140,7 +140,7 @@ MPM_INLINE MpmWeights weights_at(const Places *at, const int dim, const MpmShape
     return w;
 }
 
-/* --- map ------------------------------------------------------------------------------------------ */
+/* --- what a stage does ------------------------------------------------------------------------------ */
 
 /* Eqs. 2, 3: m_i = sum m N, p_i = sum m v N, with APIC v + C (x_i - x) in place of v (Jiang et al. 2015), in
  * the plane C = B D^-1; of masses that are not lumped also the couplings M_c(i, i + d) = sum m N_i N_(i+d).
@@ -194,8 +194,6 @@ MPM_INLINE void map(Mpm *mpm, const int dim, const MpmShape shape, const Kind ki
     }
 }
 
-/* --- supports, and velocities of nodes ------------------------------------------------------------ */
-
 /* Step 2 of paper M: p = m v0 along x and 0 across where a support holds the node; the mass stays. Then
  * eq. 4. A node of hardly any mass moves along with the body: one at rest would strain a particle that lands
  * on its neighbour to the last bit by v0 dt/dx. */
@@ -217,8 +215,6 @@ static void fix(Mpm *mpm, bool holds, int first, int end)
         }
     }
 }
-
-/* --- strain and stress ---------------------------------------------------------------------------- */
 
 /* Eqs. 6 to 9 in the plane, hypoelastic (the turn of Hughes, Winget 1980, where it is asked for), with eps =
  * dt sym L and D of plane strain or plane stress:
@@ -319,8 +315,6 @@ MPM_INLINE int strain(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
     return crushed;
 }
 
-/* --- nodal forces --------------------------------------------------------------------------------- */
-
 /* Eq. 10: f_i = -sum stress . grad N_i V, the same grad N that makes the strain: what forces do to nodes is
  * what stress does in particles. With USF stress and volume are those of this step, with USL and MUSL the old
  * ones. Eq. 11: each particle's load goes to its nodes by N. */
@@ -367,8 +361,6 @@ MPM_INLINE void force(Mpm *mpm, const int dim, const MpmShape shape, const Kind 
     }
 }
 
-/* --- integrate momentum --------------------------------------------------------------------------- */
-
 /* Eqs. 12, 13: p_i += dt f_i; then what eqs. 14, 15 need of a node: kick = dt f_i/m_i and carry = p_i/m_i.
  * Where masses are not lumped kick is there already, and the integrated velocity is the one before plus it.
  * USF: the velocity that strained stays as it is. */
@@ -399,21 +391,6 @@ static void integrate(Mpm *mpm, int first, int end)
             memcpy(velocity + first, carry + first, (size_t)(end - first) * sizeof *carry);
     }
 }
-
-/* Of bodies: q += dt (f - damping q); `fix` finds what particles take. */
-static void integrate_bodies(Mpm *mpm, int first, int end)
-{
-    const double dt = mpm->dt, damping = mpm->def.damping;
-    for (int axis = 0; axis < 2; axis++) {
-        double *const q = mpm->momentum[axis];
-        const double *const f = mpm->force[axis];
-#pragma omp simd
-        for (int i = first; i < end; i++)
-            q[i] += dt * (f[i] - damping * q[i]);
-    }
-}
-
-/* --- update particles ----------------------------------------------------------------------------- */
 
 /* C = sum N_i v_i d_i/sum N_i d_i^2 with d_i = x_i - x; of hats C = sum N'_i v_i. A particle on the end of
  * the mesh has no spread. */
@@ -585,11 +562,8 @@ int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 
 void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
 {
-    if (mpm->bodies && op != OP_INTEGRATE)
-        bodies_fix(mpm, op, first, end);
-    else if (mpm->bodies)
-        for (int field = 0; field < mpm->n_fields; field++)
-            integrate_bodies(mpm, field * mpm->grid_nodes + first, field * mpm->grid_nodes + end);
+    if (mpm->bodies)
+        bodies_do_nodes(mpm, op, first, end);
     else if (op == OP_INTEGRATE)
         integrate(mpm, first, end);
     else if (op == OP_FIX_FORCE) { /* supports take the force of the nodes that they hold */
@@ -607,7 +581,6 @@ void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
 bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
 {
     const size_t bytes = (size_t)mpm->n_nodes * sizeof(double);
-    const bool kept = mpm_does(mpm, WRONG_KEEPS_GRID);
     if (mpm->bodies) {
         if (op == OP_FIX_MOVED)
             bodies_note_contact(mpm);
@@ -615,18 +588,14 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
             bodies_note_tear(mpm), bodies_note_spin(mpm);
         return true;
     }
-    switch (op) {
-    case OP_MAP:
-        for (int i = 0; kept && i < mpm->n_nodes; i++) {
+    for (int i = 0; mpm_adds_to_grid(mpm, op) && i < mpm->n_nodes; i++) {
+        if (op == OP_MAP)
             mpm->node_mass[i] += mpm->kept_mass[i];
-            for (int axis = 0; axis < mpm->dim; axis++)
-                mpm->momentum[axis][i] += mpm->kept_momentum[axis][i];
-        }
-        return true;
+        for (int axis = 0; axis < mpm->dim; axis++)
+            mpm->momentum[axis][i] += mpm->kept_momentum[axis][i];
+    }
+    switch (op) {
     case OP_MAP_AGAIN:
-        for (int i = 0; mpm_does(mpm, WRONG_KEEPS_TWICE) && i < mpm->n_nodes; i++)
-            for (int axis = 0; axis < mpm->dim; axis++)
-                mpm->momentum[axis][i] += mpm->kept_momentum[axis][i];
         if (mpm->dim == 2)
             return true; /* supports have a stage of their own */
         fix(mpm, !mpm_does(mpm, WRONG_NO_SECOND_FIX), 0, mpm->n_nodes);
@@ -669,7 +638,7 @@ bool mpm_end_stage(Mpm *mpm, MpmOp op, Status *status)
                 return mpm_fail_particle(mpm, status, p, "was overtaken by its neighbour (1 + de <= 0)");
         }
         mpm_report_crossings(mpm);
-        if (kept) {
+        if (mpm_does(mpm, WRONG_KEEPS_GRID)) {
             memcpy(mpm->kept_mass, mpm->node_mass, bytes);
             for (int axis = 0; axis < mpm->dim && !mpm_does(mpm, WRONG_KEEPS_INTEGRATED); axis++)
                 memcpy(mpm->kept_momentum[axis], mpm->momentum[axis], bytes);

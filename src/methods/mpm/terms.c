@@ -92,13 +92,11 @@ void mpm_list_exchanges(Mpm *mpm)
             write_form(mpm, row->term == TERM_LOAD ? mpm->force_words.load : row->note, axis, words->note,
                        sizeof words->note);
             const bool gives = mpm_op_gives(row->op);
-            const bool keeps = mpm_does(mpm, row->op == OP_MAP ? WRONG_KEEPS_GRID : WRONG_KEEPS_TWICE) &&
-                               (row->op == OP_MAP || row->op == OP_MAP_AGAIN); /* adds to what the grid had */
             mpm->exchanges[count++] = (Exchange){.stage = stage_ids[row->op],
                                                  .from = gives ? MPM_PARTICLES : MPM_NODES,
                                                  .to = gives ? MPM_NODES : MPM_PARTICLES,
                                                  .field = words->field,
-                                                 .adds = row->adds || keeps,
+                                                 .adds = row->adds || mpm_adds_to_grid(mpm, row->op),
                                                  .factors = words->factors,
                                                  .note = *words->note ? words->note : NULL};
         }
