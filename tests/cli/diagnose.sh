@@ -216,6 +216,8 @@ cut -d, -f2,3 dt.csv >times.csv
 expect "times alone" 0 mode5 times.csv
 result "tell it too" sh -c 'grep -q "^Read as: v_cm; dt 0.007 (the" out && grep -q "those of the right code" out'
 awk -F, 'NR == 1 { print "n;vcm" } NR > 1 { v = sprintf("%.12g", 1000 * $3); sub(/\./, ",", v); print $1 ";" v }' right.csv >units.csv
+(printf 'sep=;\r\n' && cat units.csv) >sep.csv
+expect "a separator that is told to a spreadsheet" 0 mode5 sep.csv
 expect "other names, signs and units" 0 mode5 units.csv
 result "are read" sh -c 'grep -q "^Read as: vcm: v_cm, in thousandths; dt 0.01$" out && grep -q "those of the right code" out'
 sed 's/v_cm/speed/; s/,v_cm.*//' units.csv | sed 's/vcm/speed/' >map.csv

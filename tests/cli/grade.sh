@@ -232,7 +232,7 @@ expect "who has it in the list" 0 points.lesson address.session --roster class.c
 result "is that student" says address.csv '^17,Zoë Ångström,.*,1,$'
 result "who is missing has one among the marks" says listed.rows '^Karl Missing,,,,,,,,missing$'
 result "the list is read and stays" grep -q Karl class.csv
-printf 'Name;Group\nKarl;A\n' >names.csv
+printf 'sep=;\nName;Group\nKarl;A\n' >names.csv
 expect "names alone" 0 points.lesson bo.session --roster names.csv
 result "will do" says out '^Karl,,,,,,,,missing$'
 printf 'Group,Points\nA,3\n' >none.csv
