@@ -412,8 +412,10 @@ int bodies_findings(const References *refs, const Simulation *sim, Finding out[F
     if (walls && answers->hit != 0)
         add(out, &n, "wall_touch", "first touch of a wall", seen.hit, isfinite(hit) ? hit : NAN, NULL);
     if (def->n_bodies == 2 && def->gravity[0] == 0 && def->gravity[1] == 0 && bodies_closing(start) > 0) {
-        const double apart = def->fields == FIELDS_EACH ? seen.parting / seen.meeting
-                                                        : -bodies_closing(row) / bodies_closing(start);
+        /* while they push each other still, that of now */
+        const double apart = def->fields != FIELDS_EACH ? -bodies_closing(row) / bodies_closing(start)
+                             : isnan(seen.parting)      ? -bodies_closing(row) / seen.meeting
+                                                        : seen.parting / seen.meeting;
         add(out, &n, "restitution", "restitution", apart > 0 ? apart : NAN, NAN, NULL);
     }
     const bool known = !refs->unaccounted[REFERENCE_EXACT];
