@@ -497,7 +497,7 @@ void simulation_ask_columns(Simulation *sim, const char *names)
         sim->series_own[i] = quantity;
         sim->series_entry[count++] = sim->series_entry[i];
     }
-    sim->n_askable = sim->n_series;
+    sim->n_askable = sim->series == sim->series_own ? sim->n_series : 0;
     sim->n_series = count;
 }
 
