@@ -74,8 +74,10 @@ static void note_how(const Map *map)
                  text_factor(map->drawn->enlarged).text);
     if (magnified > 1)
         snprintf(parts[MAGNIFIED], size, "zoom %s", text_factor(magnified).text);
-    snprintf(parts[STRETCHED], size, map->picture->stretch != 1 ? "height × %s" : "to scale",
-             text_factor(map->picture->stretch).text);
+    if (map->picture->stretch != 1)
+        snprintf(parts[STRETCHED], size, "height × %s", text_factor(map->picture->stretch).text);
+    else if (map->drawn->enlarged == 1)
+        snprintf(parts[STRETCHED], size, "to scale");
     for (int i = 0; i < PARTS; i++)
         if (parts[order[i]][0])
             text_append(text, sizeof text, "%s%s", text[0] ? "  " : "", parts[order[i]]);

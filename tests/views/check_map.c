@@ -115,7 +115,7 @@ START_TEST(factors_are_those_that_are_stated)
     char row[256], wanted[64];
     Scene scene;
     open_scene(&scene, "notched-beam-coarse 132x43 250 upper 8 focus 2 zoom view.exaggeration=40");
-    ck_assert_ptr_nonnull(find_row(&scene, "u x 40  to scale", row));
+    ck_assert_ptr_nonnull(find_row(&scene, "u x 40", row));
     Seen map;
     see(&map, &scene, (Rect){1, 2, 130, 39});
     ck_assert_double_eq(map.drawn->enlarged, 40);
