@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 size_t text_trim_exponent(char *text)
 {
@@ -327,4 +328,9 @@ void text_to_ascii(const char *text, char *out, size_t size)
         word = symbol && symbol[1];
     }
     out[used] = '\0';
+}
+
+bool text_tells_separator(const char *line)
+{
+    return strncasecmp(line, "sep=", 4) == 0 && strlen(line) <= 5;
 }

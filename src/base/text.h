@@ -75,6 +75,9 @@ bool text_has_word(const char *list, const char *word);
 
 const char *text_last_word(const char *text);
 
+/* Whether a first line, "sep=;", tells a spreadsheet what separates the cells below. */
+bool text_tells_separator(const char *line);
+
 /* One more of what is allowed: "usf | usl"; what has no room is left out. */
 void text_or(char *out, size_t size, const char *word);
 

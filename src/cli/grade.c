@@ -41,14 +41,14 @@ typedef struct Roster {
     int at[ROLES]; /* columns; -1: none */
 } Roster;
 
-/* The cells of the next line that has any; "sep=;" in the first tells a spreadsheet what separates them. */
+/* The cells of the next line that has any. */
 static InputGot read_row(Roster *roster, Status *status)
 {
     InputGot got;
     do
         got = input_line(&roster->lines, roster->text, sizeof roster->text, status);
     while (got == INPUT_LINE && (!roster->text[strspn(roster->text, " \t,;")] ||
-                                 (roster->lines.number == 1 && strncasecmp(roster->text, "sep=", 4) == 0)));
+                                 (roster->lines.number == 1 && text_tells_separator(roster->text))));
     if (got != INPUT_LINE)
         return got;
     if (!roster->separator)

@@ -66,13 +66,13 @@ static InputGot next_line(Reader *reader)
 }
 
 /* The next line that holds something. A comment, as numpy, MATLAB and Fortran begin it, is kept: names may be
- * in it. A first line "sep=;" tells a spreadsheet what separates cells, which the rows show. */
+ * in it. What separates cells the rows show. */
 static InputGot next_row(Reader *reader)
 {
     InputGot got;
     while ((got = next_line(reader)) == INPUT_LINE) {
         const char *text = reader->text + strspn(reader->text, " \t;,");
-        if (reader->line == 1 && strncasecmp(text, "sep=", 4) == 0 && strlen(text) <= 5)
+        if (reader->line == 1 && text_tells_separator(text))
             continue;
         if (*text && !strchr("#%!", *text))
             break;

@@ -104,7 +104,7 @@ BodiesSeen bodies_seen(const Simulation *sim)
                         time_of(sim, mpm->head->torn),
                         bodies_largest_stretch(mpm, &at),
                         mpm->head->meeting,
-                        mpm->head->touching[0] >> 1 & 1 ? NAN : mpm->head->parting,
+                        bodies_push(mpm->head) ? NAN : mpm->head->parting,
                         mpm->head->touching[0] >> (BODIES_MAX + WALL_BOTTOM) & 1,
                         spins ? mpm->head->inertia / steps / inertia(mpm, false) - 1.0 : NAN,
                         spins ? mpm->head->pull / steps / area : NAN};

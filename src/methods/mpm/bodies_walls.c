@@ -115,13 +115,11 @@ static void touch(Mpm *mpm, int node)
         }
 }
 
-/* New momenta; or walls and contact, and then the velocities of nodes: after the first `fix` those that
- * strain with USF; after the second carry = q/m and kick = (q - q0)/m of eqs. 14, 15, and the velocity that
- * strains with USL; after the third that of MUSL. */
-void bodies_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
+/* q += dt (f - damping q) */
+void bodies_integrate(Mpm *mpm, int first, int end)
 {
     const double dt = mpm->dt, damping = mpm->def.damping;
-    for (int k = 0; op == OP_INTEGRATE && k < 2 * mpm->n_fields; k++) { /* q += dt (f - damping q) */
+    for (int k = 0; k < 2 * mpm->n_fields; k++) {
         const size_t field = (size_t)(k / 2) * (size_t)mpm->grid_nodes;
         double *const q = mpm->momentum[k % 2] + field;
         const double *const f = mpm->force[k % 2] + field;
@@ -129,8 +127,13 @@ void bodies_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
         for (int i = first; i < end; i++)
             q[i] += dt * (f[i] - damping * q[i]);
     }
-    if (op == OP_INTEGRATE)
-        return;
+}
+
+/* Walls and contact, and then the velocities of nodes: after the first `fix` those that strain with USF;
+ * after the second carry = q/m and kick = (q - q0)/m of eqs. 14, 15, and the velocity that strains with USL;
+ * after the third that of MUSL. */
+void bodies_fix(Mpm *mpm, MpmOp op, int first, int end)
+{
     const bool idle = op == OP_FIX && mpm_does(mpm, WRONG_NO_FIRST_FIX);
     const bool late = op == OP_FIX && mpm_does(mpm, WRONG_START_LATE);
     for (int i = first; op == OP_FIX && i < end; i++)
@@ -210,7 +213,7 @@ void bodies_note_contact(Mpm *mpm)
     for (int i = 0; i < mpm->grid_nodes; i++)
         sum += mpm->lost[i];
     head->friction += sum;
-    const bool pushed = head->touching[0] >> 1 & 1, had_met = head->met > 0;
+    const bool pushed = bodies_push(head), had_met = head->met > 0;
     for (int field = 0; field < mpm->n_fields; field++) {
         uint32_t now = 0;
         for (int i = 0; i < mpm->grid_nodes; i++)
@@ -228,7 +231,7 @@ void bodies_note_contact(Mpm *mpm)
         head->met_by[field] |= first;
         head->parted_from[field] |= ended;
     }
-    if (mpm->n_fields == 2 && pushed != (head->touching[0] >> 1 & 1)) {
+    if (mpm->n_fields == 2 && pushed != bodies_push(head)) {
         double row[BODIES_X + 2 * BODY_COLUMNS];
         mpm_row_of_bodies(&mpm->sim, row);
         if (pushed)

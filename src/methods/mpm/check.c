@@ -4,8 +4,6 @@
 #include "methods/axial.h"
 #include "methods/mpm/mistakes.h"
 
-#include <string.h>
-
 /* A particle takes some 150 to 200 bytes, and a step of so many a tenth of a second: more would not answer.
  */
 enum { CELLS_MAX = 2000000, PARTICLES_MAX = 2000000, NODES_MAX = 4000000 };
@@ -18,11 +16,10 @@ static bool is_whole(double cells)
     return round(cells) >= 1 && fabs(cells - round(cells)) <= 1e-9 * cells;
 }
 
-/* A length of a beam; its height an even number of them. */
-static bool whole_cells(const MpmDef *def, double length, const char *what, Status *status)
+/* A length of a beam, even ones only if asked. */
+static bool whole_cells(const MpmDef *def, double length, bool even, const char *what, Status *status)
 {
     const double cells = length / def->cell_size;
-    const bool even = strcmp(what, "height") == 0;
     return (is_whole(cells) && !(even && fmod(round(cells), 2) != 0)) ||
            status_refuse(status, "mesh.cell_size: the %s of %g m must be %s number of cells, not %.10g", what,
                          length, even ? "an even" : "a whole", cells);
@@ -75,12 +72,13 @@ static bool check_method(const MpmDef *def, Status *status)
 
 /* --- bars ------------------------------------------------------------------------------------------- */
 
-/* M_c alone is singular where there are fewer particles than nodes, and nearly so where a cell at the end of
- * the bar is nearly empty: the largest stable step then falls with what is left in it. With mu > 0 it has a
- * floor that does not depend on how particles lie (USF and MUSL, hats: .24 at mu .05, .049 at .01). */
 static bool check_bar(const MpmDef *def, Status *status)
 {
     const double cells = def->length / def->cell_size, mu = def->mass_blend;
+    /* M_c alone is singular where there are fewer particles than nodes, and nearly so where a cell at the end
+     * of the bar is nearly empty: the largest stable step then falls with what is left in it. With mu > 0 it
+     * has a floor that does not depend on how particles lie (USF and MUSL, hats: .24 at mu .05, .049 at .01)
+     */
     const double best = bar_mass_blend_auto(def->shape, def->particles_per_cell, def->courant);
     if (mu == 0.0 && def->offset != 0.0)
         return status_refuse(status,
@@ -132,7 +130,8 @@ static bool check_beam(const MpmDef *def, Status *status)
     if (def->padding < 1 || def->padding > PADDING_MAX)
         return status_refuse(status, "mesh.padding: %d is out of range (1 to %d)", def->padding, PADDING_MAX);
     if (!check_method(def, status) || !mpm_check_mistakes(def, status) ||
-        !whole_cells(def, def->length, "length", status) || !whole_cells(def, def->height, "height", status))
+        !whole_cells(def, def->length, false, "length", status) ||
+        !whole_cells(def, def->height, true, "height", status))
         return false;
     /* the channel must hold the beam to the end: more than v0 t_end of it lies behind the mouth at t = 0 */
     if (def->leaves_channel && !(def->channel > def->speed * def->end))
@@ -142,7 +141,7 @@ static bool check_beam(const MpmDef *def, Status *status)
     if (def->leaves_channel && !(def->grid_velocity <= def->speed))
         return status_refuse(status, "mesh.velocity: %g is out of range (0 to motion.speed = %g)",
                              def->grid_velocity, def->speed);
-    if ((def->leaves_channel && !whole_cells(def, def->channel, "channel", status)) ||
+    if ((def->leaves_channel && !whole_cells(def, def->channel, false, "channel", status)) ||
         !check_step(def, status))
         return false;
     const double length = def->length + (def->leaves_channel ? def->channel : 0);

@@ -527,8 +527,15 @@ static inline bool bodies_are_neo(const Mpm *mpm)
 void bodies_note_contact(Mpm *);
 void bodies_note_tear(Mpm *);
 void bodies_note_spin(Mpm *); /* and the sums over steps of a disc that spins alone */
-/* Walls, contact and new momenta on nodes [first, end) of the grid. */
-void bodies_do_nodes(Mpm *, MpmOp, int first, int end);
+/* Stages on nodes [first, end) of the grid: walls with contact, and new momenta. */
+void bodies_fix(Mpm *, MpmOp, int first, int end);
+void bodies_integrate(Mpm *, int first, int end);
+
+/* Whether the first two bodies pushed each other in the last step. */
+static inline bool bodies_push(const MpmHead *head)
+{
+    return head->touching[0] >> 1 & 1;
+}
 
 /* What contact does at a node of the grid between the fields a and b, whose momenta there are q. */
 typedef struct Meeting {

@@ -41,8 +41,9 @@ static void write_change(const Subject *subject, const char *label, const double
 /* --- what is exchanged ------------------------------------------------------------------------------ */
 
 /* "p13 = 0.5 × (0.2 × 0.3 + ...) = 0.1" */
-static void write_taken(const Subject *subject, const Mpm *mpm, int exchange)
+static void write_taken(const Subject *subject, int exchange)
 {
+    const Mpm *mpm = subject->mpm;
     const MpmExchange *of = &mpm->terms[exchange];
     const bool numbered = mpm->dim == 1 && of->op != OP_FORCE && subject->set == MPM_NODES;
     char label[LABEL_MAX];
@@ -93,8 +94,9 @@ static double solved(const Mpm *mpm, bool forces, int node)
 
 /* The row of M v = p, or of M a = f, at a node, with what the solution gives:
  *     "M v: 0.11 × v7 + 0.78 × v8 + 0.11 × v9 = p8" */
-static void write_row(const Subject *subject, const Mpm *mpm, bool forces, int node)
+static void write_row(const Subject *subject, bool forces, int node)
 {
+    const Mpm *mpm = subject->mpm;
     const CalculationLabel label =
         calculation_label(mpm->dim, forces ? "Σ M a = f#: " : "Σ M v = p#: ", 0, node);
     CalculationSum sum = {.label = label.text, .result = given(mpm, forces, node)};
@@ -108,8 +110,9 @@ enum { WINDOW_MAX = 2 * (FMPM_ORDER_MAX - 1) * MPM_REACH_MAX + 1 };
 
 /* FMPM's terms at a node: "v8 = d_1 + d_2 = 0.1 - 0.02 = 0.08". A term needs the one before of the nodes
  * `reach` away: all are made on a stretch of the bar that gets shorter. */
-static void write_series(const Subject *subject, const Mpm *mpm, bool forces, int node)
+static void write_series(const Subject *subject, bool forces, int node)
 {
+    const Mpm *mpm = subject->mpm;
     const int order = mpm->head->fmpm_order, half = (order - 1) * (mpm->support - 1);
     double term[WINDOW_MAX] = {0}, next[WINDOW_MAX];
     for (int w = 0, i = node - half; i <= node + half; w++, i++)
@@ -141,8 +144,9 @@ static void write_series(const Subject *subject, const Mpm *mpm, bool forces, in
 /* --- what nodes do ------------------------------------------------------------------------------------ */
 
 /* Step 2 of paper M, with the momentum that the support took away. */
-static void fix_node(const Subject *subject, const Mpm *mpm)
+static void fix_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const int i = subject->index;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double *p = &mpm->momentum[axis][i];
@@ -161,8 +165,9 @@ static void fix_node(const Subject *subject, const Mpm *mpm)
     }
 }
 
-static void fix_particle(const Subject *subject, const Mpm *mpm)
+static void fix_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     for (size_t i = 0; i < subject->n_links; i++) {
         const int node = (int)subject->links[i].index;
         if (mpm_held(mpm, mpm->sim.step, node)) {
@@ -184,8 +189,9 @@ static void write_pair(Calculation *to, const char *label, double x, double y, c
 
 /* What contact does at a node of a field and of another one, from the momenta before the stage; false: they
  * do not share it. */
-static bool write_meeting(const Subject *subject, const Mpm *mpm, int node, int other)
+static bool write_meeting(const Subject *subject, int node, int other)
 {
+    const Mpm *mpm = subject->mpm;
     Calculation *to = subject->to;
     const int own = node / mpm->grid_nodes, place = node % mpm->grid_nodes;
     const int fields[2] = {own < other ? own : other, own < other ? other : own};
@@ -223,8 +229,9 @@ static bool write_meeting(const Subject *subject, const Mpm *mpm, int node, int 
 
 /* Walls, and contact, which beside a wall begins with what the wall leaves. Of a particle at the node of
  * which it has the largest share; one that bodies share, and no wall, first. */
-static void touch(const Subject *subject, const Mpm *mpm)
+static void touch(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     int node = subject->index;
     double largest = -1.0;
     for (size_t i = 0; subject->set == MPM_PARTICLES && i < subject->n_links; i++) {
@@ -248,7 +255,7 @@ static void touch(const Subject *subject, const Mpm *mpm)
         calculation_write(subject->to, "a wall acts on this node\n");
     for (int other = 0; !wall && other < mpm->n_fields; other++)
         if (other != own)
-            any = write_meeting(subject, mpm, node, other) || any;
+            any = write_meeting(subject, node, other) || any;
     if (!any) {
         calculation_write(subject->to, "no wall and no other body here: its momentum stays\n");
         return;
@@ -265,9 +272,9 @@ static void touch(const Subject *subject, const Mpm *mpm)
 }
 
 /* A node's value over its mass, or that it is inactive. */
-static void write_ratio(const Subject *subject, const Mpm *mpm, const char *label, double above,
-                        double result)
+static void write_ratio(const Subject *subject, const char *label, double above, double result)
 {
+    const Mpm *mpm = subject->mpm;
     CalculationSum sum = {.label = label, .result = result};
     if (mpm->inverse[subject->index] == 0.0) {
         calculation_write(subject->to, "%s0: too little mass is here, the node is inactive\n", label);
@@ -278,8 +285,9 @@ static void write_ratio(const Subject *subject, const Mpm *mpm, const char *labe
 }
 
 /* Eq. 4, with which the node strains its particles. */
-static void velocity_node(const Subject *subject, const Mpm *mpm)
+static void velocity_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const int i = subject->index;
     if (mpm->sim.stage == 0) {
         calculation_write(subject->to, GRID_FORGOTTEN);
@@ -289,19 +297,20 @@ static void velocity_node(const Subject *subject, const Mpm *mpm)
         return;
     if (mpm_holds_momentum(mpm, OP_STRAIN, i)) {
         const double velocity = mpm->velocity[0][i];
-        write_ratio(subject, mpm, calculation_label(mpm->dim, "it strains by v# = p/m = ", 0, i).text,
+        write_ratio(subject, calculation_label(mpm->dim, "it strains by v# = p/m = ", 0, i).text,
                     velocity * mpm->node_mass[i], velocity);
         calculation_write(subject->to, "then p%d → 0: a support holds the node\n", i);
         return;
     }
     for (int axis = 0; axis < mpm->dim; axis++)
-        write_ratio(subject, mpm, calculation_label(mpm->dim, "v@# = p/m = ", axis, i).text,
+        write_ratio(subject, calculation_label(mpm->dim, "v@# = p/m = ", axis, i).text,
                     mpm->momentum[axis][i], mpm_node_velocity(mpm, axis, i));
 }
 
 /* Eqs. 11, 12. */
-static void force_node(const Subject *subject, const Mpm *mpm)
+static void force_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const int i = subject->index;
     if (mpm->dim == 2)
         return;
@@ -317,8 +326,9 @@ static void force_node(const Subject *subject, const Mpm *mpm)
 }
 
 /* What the loads on a particle are together. */
-static void force_particle(const Subject *subject, const Mpm *mpm)
+static void force_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const ForceTerms forces = mpm_forces(mpm);
     char label[sizeof mpm->force_words.load + 4] = "";
     if (mpm->dim == 2 || !mpm_is_loaded(mpm))
@@ -330,8 +340,9 @@ static void force_particle(const Subject *subject, const Mpm *mpm)
     calculation_sum(subject->to, &sum);
 }
 
-static void fix_force_node(const Subject *subject, const Mpm *mpm)
+static void fix_force_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const unsigned held = mpm_held(mpm, mpm->sim.step, subject->index);
     for (int axis = 0; axis < 2; axis++)
         if (held & (unsigned)(HELD_X << axis))
@@ -345,8 +356,9 @@ static void fix_force_node(const Subject *subject, const Mpm *mpm)
 }
 
 /* Eq. 13, of bodies with damping; the momentum before, which the stage has written over, is solved for. */
-static void write_integrated(const Subject *subject, const Mpm *mpm, int node)
+static void write_integrated(const Subject *subject, int node)
 {
+    const Mpm *mpm = subject->mpm;
     const double rate = mpm->bodies ? mpm->def.damping : 0.0;
     for (int axis = 0; axis < mpm->dim; axis++) {
         const double force = mpm->bodies ? mpm->force[axis][node] : mpm_node_force(mpm, axis, node);
@@ -358,23 +370,25 @@ static void write_integrated(const Subject *subject, const Mpm *mpm, int node)
     }
 }
 
-static void integrate_node(const Subject *subject, const Mpm *mpm)
+static void integrate_node(const Subject *subject)
 {
-    write_integrated(subject, mpm, subject->index);
-    velocity_node(subject, mpm);
+    write_integrated(subject, subject->index);
+    velocity_node(subject);
 }
 
-static void integrate_particle(const Subject *subject, const Mpm *mpm)
+static void integrate_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     if (mpm->dim == 2)
         calculation_write(subject->to, "this stage changes nodes, not particles\n");
     for (size_t i = 0; mpm->dim == 1 && i < subject->n_links; i++)
         if (subject->links[i].weight != 0.0)
-            write_integrated(subject, mpm, (int)subject->links[i].index);
+            write_integrated(subject, (int)subject->links[i].index);
 }
 
-static void update_node(const Subject *subject, const Mpm *mpm)
+static void update_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const int i = subject->index;
     if (!mpm_has_done(mpm, OP_UPDATE)) {
         calculation_write(subject->to, GRID_FORGOTTEN);
@@ -392,8 +406,9 @@ static void update_node(const Subject *subject, const Mpm *mpm)
 
 /* Eqs. 7 and 8, of beams with D of plane stress; where the stress is turned too, and where the strain was
  * that of a step that is over, the stress before and after. */
-static void strain_particle(const Subject *subject, const Mpm *mpm)
+static void strain_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     static const char *const names[] = {"σxx", "σyy", "σxy"};
     static const char *const gains[] = {"E/(1 - ν²) (Δεxx + ν Δεyy)", "E/(1 - ν²) (Δεyy + ν Δεxx)", "G Δγxy"};
     const int p = subject->index;
@@ -440,8 +455,9 @@ static void strain_particle(const Subject *subject, const Mpm *mpm)
 }
 
 /* Where the step is over, what came of eqs. 14 and 15; APIC's slopes. */
-static void update_particle(const Subject *subject, const Mpm *mpm)
+static void update_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     static const char *const slopes[] = {"Bxx", "Bxy", "Byx", "Byy"};
     const int p = subject->index;
     for (int axis = 0; axis < mpm->dim && !mpm_has_done(mpm, OP_UPDATE); axis++) {
@@ -456,20 +472,23 @@ static void update_particle(const Subject *subject, const Mpm *mpm)
         write_change(subject, slopes[k], &mpm->rate[k][p]);
 }
 
-static void again_node(const Subject *subject, const Mpm *mpm)
+static void again_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     if (mpm->dim == 1 && mpm_held(mpm, mpm->sim.step, subject->index) && !mpm_does(mpm, WRONG_NO_SECOND_FIX))
         calculation_write(subject->to, "the node is fixed: p%d → 0\n", subject->index);
 }
 
-static void forget_node(const Subject *subject, const Mpm *mpm)
+static void forget_node(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     calculation_value(subject->to, "the node is empty again, and where it was: x = ",
                       simulation_named(&mpm->sim, MPM_NODES, "x", (size_t)subject->index));
 }
 
-static void forget_particle(const Subject *subject, const Mpm *mpm)
+static void forget_particle(const Subject *subject)
 {
+    const Mpm *mpm = subject->mpm;
     const int p = subject->index, cell = mpm_cell(mpm->base[p], mpm->s[0][p], mpm->edge);
     const double left = (cell - mpm->origin) * mpm->dx;
     calculation_number(subject->to, "x = ", mpm_rest(mpm, 0, p) + mpm->u[0][p]);
@@ -478,7 +497,7 @@ static void forget_particle(const Subject *subject, const Mpm *mpm)
     calculation_value(subject->to, " to ", left + mpm->dx);
 }
 
-static void (*const others[OP_COUNT][MPM_SETS])(const Subject *, const Mpm *) = {
+static void (*const others[OP_COUNT][MPM_SETS])(const Subject *) = {
     [OP_FIX] = {fix_particle, fix_node},
     [OP_STRAIN] = {strain_particle, velocity_node},
     [OP_FORCE] = {force_particle, force_node},
@@ -517,21 +536,21 @@ void mpm_explain(const Simulation *sim, int stage, int set, size_t index, const 
     }
     for (int e = 0; e < sim->n_exchanges; e++)
         if (mpm->terms[e].op == op && sim->exchanges[e].to == set)
-            write_taken(&subject, mpm, e);
+            write_taken(&subject, e);
         else if (mpm->terms[e].op == op && set == MPM_PARTICLES)
             write_given(&subject, e);
     const bool fixes = op == OP_FIX || op == OP_FIX_AGAIN;
     const MpmOp other = mpm->bodies && fixes ? OP_FIX_MOVED : op;
     const bool lumped = mpm_is_lumped(mpm);
     if (others[other][set] && (lumped || op != OP_FIX || set == MPM_NODES))
-        others[other][set](&subject, mpm);
+        others[other][set](&subject);
     if (lumped || (op != OP_FIX && op != OP_STRAIN && op != OP_FORCE && op != OP_INTEGRATE))
         return;
     /* the system: of the node, or of all nodes of the particle */
     for (size_t i = 0; i < (set == MPM_NODES ? 1 : subject.n_links); i++) {
         const int at = set == MPM_NODES ? subject.index : (int)subject.links[i].index;
         if (mpm_moves(mpm, at))
-            (mpm->head->transfer == MPM_FMPM ? write_series : write_row)(&subject, mpm, op == OP_FORCE, at);
+            (mpm->head->transfer == MPM_FMPM ? write_series : write_row)(&subject, op == OP_FORCE, at);
         else
             calculation_write(&calculation, "%s%d = 0: %s\n", op == OP_FORCE ? "a" : "v", at,
                               mpm_held(mpm, mpm->sim.step, at) ? "a support holds the node"

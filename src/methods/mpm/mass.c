@@ -65,28 +65,30 @@ void mpm_factor(Mpm *mpm)
     }
 }
 
-/* With a mass blend L y = x from the left, then L^T x = D^-1 y from the right. FMPM(k): v = d_1 + .. + d_k,
- * where d_1 = p/m and each further term puts right what the terms before give back wrongly through the
- * particles (Nairn and Hammerquist, CMAME 377, 2021, 113667):
+/* L y = x from the left, then L^T x = D^-1 y from the right. */
+static void solve_blend(const Mpm *mpm, double *x)
+{
+    const int n = mpm->n_nodes, reach = mpm->support - 1;
+    for (int i = 0; i < n; i++)
+        for (int d = 1; d <= reach && d <= i; d++)
+            x[i] -= mpm->lower[d][i] * x[i - d];
+    for (int i = n - 1; i >= 0; i--) {
+        x[i] *= mpm->pivot[i];
+        for (int d = 1; d <= reach && i + d < n; d++)
+            x[i] -= mpm->lower[d][i + d] * x[i + d];
+    }
+}
+
+/* FMPM(k): v = d_1 + .. + d_k, where d_1 = p/m and each further term puts right what the terms before give
+ * back wrongly through the particles (Nairn and Hammerquist, CMAME 377, 2021, 113667):
  *
  *     d_j+1 = d_j - (1/m) sum m N (sum N d_j) = (1/m_i) sum over n of M_c(i, n) (d_j(i) - d_j(n))
  *
  * as a row of M_c adds up to m_i. Each term is 0 at held nodes. term and next are d_j and d_j+1, in arrays
  * that a mass blend would need for its factors. */
-void mpm_solve(Mpm *mpm, double *x)
+static void solve_series(Mpm *mpm, double *x)
 {
     const int n = mpm->n_nodes, reach = mpm->support - 1;
-    const bool series = mpm->head->transfer == MPM_FMPM;
-    for (int i = 0; !series && i < n; i++)
-        for (int d = 1; d <= reach && d <= i; d++)
-            x[i] -= mpm->lower[d][i] * x[i - d];
-    for (int i = n - 1; !series && i >= 0; i--) {
-        x[i] *= mpm->pivot[i];
-        for (int d = 1; d <= reach && i + d < n; d++)
-            x[i] -= mpm->lower[d][i + d] * x[i + d];
-    }
-    if (!series)
-        return;
     double *term = mpm->pivot, *next = mpm->lower[1];
     for (int i = 0; i < n; i++)
         x[i] = term[i] = mpm_moves(mpm, i) ? x[i] * mpm->inverse[i] : 0.0;
@@ -106,4 +108,12 @@ void mpm_solve(Mpm *mpm, double *x)
         term = next;
         next = kept;
     }
+}
+
+void mpm_solve(Mpm *mpm, double *x)
+{
+    if (mpm->head->transfer == MPM_FMPM)
+        solve_series(mpm, x);
+    else
+        solve_blend(mpm, x);
 }

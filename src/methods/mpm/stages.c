@@ -562,8 +562,10 @@ int mpm_do_particles(Mpm *mpm, MpmTask task, MpmSpan *span, int first, int end)
 
 void mpm_do_nodes(Mpm *mpm, MpmOp op, int first, int end)
 {
-    if (mpm->bodies)
-        bodies_do_nodes(mpm, op, first, end);
+    if (mpm->bodies && op == OP_INTEGRATE)
+        bodies_integrate(mpm, first, end);
+    else if (mpm->bodies)
+        bodies_fix(mpm, op, first, end);
     else if (op == OP_INTEGRATE)
         integrate(mpm, first, end);
     else if (op == OP_FIX_FORCE) { /* supports take the force of the nodes that they hold */
